@@ -6,6 +6,7 @@ import type { Extents } from "../document/extents";
 import { setPath } from "../document/path";
 import type { Design, Wall } from "../document/types";
 import type { Ask } from "../maker/messages";
+import { longest } from "../solver/solved";
 import { selectTab, toggleOverlay, togglePulling } from "../state/actions";
 import { setFill, setMap } from "../state/wall-actions";
 import { Made } from "./made";
@@ -57,6 +58,21 @@ test("a pot at rest is made coarsely, then finely, and nothing else before it is
   expect(made.solid.value?.positions.length).toBeGreaterThan(before);
   store.apply(selectTab("look"));
   expect(asked()).toEqual([]);
+});
+
+test("what stays as it is has the same tolerance where all is a little larger, and none that is too coarse", async () => {
+  const drawn = async (height: number) => {
+    const there = await bench(tall(POT, height));
+    const [coarse] = there.asked();
+    const tolerance = coarse?.kind === "solid" ? coarse.tolerance : Number.NaN;
+    return { tolerance, share: tolerance / longest(there.surface.shown?.solved) };
+  };
+  expect((await drawn(22.1)).tolerance).toBe((await drawn(22)).tolerance);
+  for (const height of [0.5, 20, 21, 23, 30, 400]) {
+    const { share } = await drawn(height);
+    expect(share).toBeLessThanOrEqual(1 / 150);
+    expect(share).toBeGreaterThan(1 / 150 / 2 ** (1 / 4));
+  }
 });
 
 test("nothing is made while the shape changes, everything once it rests", async () => {

@@ -27,6 +27,9 @@ type Shown = "solid" | "measure" | "check" | "constraints" | "paint" | "lining" 
 const COARSE = 1 / 150;
 const FINE = 1 / 700;
 
+/** What was made of other parts serves again as long as all is about as large: so many steps lie between a size and twice that. */
+const STEPS = 4;
+
 /** Of these, what is made of an earlier change is better to look at than what was there before. */
 const SHOWN_LATE: readonly Shown[] = ["solid", "water"];
 
@@ -294,7 +297,8 @@ export class Made {
 
   /** Coarsely at once, and finely once that is there and the hand rests. */
   #draw(design: Design | null, fine: boolean): void {
-    const tolerance = longest(this.#surface.shown?.solved) * (fine ? FINE : COARSE);
+    const size = longest(this.#surface.shown?.solved);
+    const tolerance = 2 ** (Math.floor(STEPS * Math.log2(size)) / STEPS) * (fine ? FINE : COARSE);
     // What was refused is not tried again, unless that was said in haste.
     if (design && fine && this.solid.value === null && this.solid.key !== QUICK) return;
     this.#want("solid", design && { kind: "solid", design, tolerance, fine }, fine ? "fine" : "coarse");

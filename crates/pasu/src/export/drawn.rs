@@ -76,14 +76,14 @@ impl Solution {
 }
 
 fn shown(solution: &Solution, making: &Making) -> Result<Drawn> {
-    let (design, scale) = (solution.design(), making.scale_of(solution)?);
+    let (scale, all) = watch::between(0.0, MAKING, || solution.all_made(making))?;
     let (positions, normals, indices, faces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let mut drawn = Drawn { positions, normals, indices, faces, scale };
-    for mesh in watch::between(0.0, MAKING, || solution.solid(making))? {
-        let body = body(design, "", &mesh);
+    for made in all {
+        let body = body(solution.design(), "", &made.mesh);
         add(
             &body,
-            mesh.part,
+            made.mesh.part,
             scale.millimetres,
             (&mut drawn.positions, &mut drawn.normals, &mut drawn.indices),
             &mut drawn.faces,

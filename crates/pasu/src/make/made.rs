@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::making::Making;
+use super::making::{Making, Scale};
 use crate::check::Topology;
 use crate::design::{Design, Part, Unit};
 use crate::error::Result;
 use crate::solid::{Pot, Product, Skin};
 use crate::solution::{Newest, Solution};
 use crate::watch;
-use crate::weave::{Made, SolidMesh, closed_patches, grid, refuse_crossing};
+use crate::weave::{Made, SolidMesh, closed_patches, is_coarse, refuse_crossing};
 
 /// The closed mesh of each part that the product is made of, in millimetres, after size and shrinkage.
 ///
@@ -47,13 +47,21 @@ impl Solution {
     /// # Errors
     /// As [`solid`].
     pub fn solid(&self, making: &Making) -> Result<Vec<SolidMesh>> {
+        Ok(self.all_made(making)?.1.iter().map(|made| made.mesh.clone()).collect())
+    }
+
+    /// The parts of [`solid`], and how large they are.
+    ///
+    /// # Errors
+    /// As [`solid`].
+    pub(crate) fn all_made(&self, making: &Making) -> Result<(Scale, Vec<Arc<Finished>>)> {
         self.all_workable()?;
-        let scale = making.scale_of(self)?.millimetres;
-        let parts = self.parts_of(making.product);
+        let (scale, parts) = (making.scale_of(self)?, self.parts_of(making.product));
         let made = |(index, part): (usize, &usize)| {
-            watch::share(index, parts.len(), || Ok(made_anew(self, *part, making, scale)?.mesh))
+            watch::share(index, parts.len(), || make(self, *part, making, scale.millimetres))
         };
-        parts.iter().enumerate().map(made).collect()
+        let all = parts.iter().enumerate().map(made).collect::<Result<_>>()?;
+        Ok((scale, all))
     }
 
     /// The parts that a product is made of: all, but for pots those with a wall if any has one, and what closes without one.
@@ -107,6 +115,11 @@ struct Key {
 }
 
 impl Key {
+    fn is_of(&self, number: usize, making: &Making, scale: f64) -> bool {
+        (self.number, self.tolerance, self.scale, self.product)
+            == (number, making.tolerance.map(f64::to_bits), scale.to_bits(), making.product)
+    }
+
     /// Whether the part is still there as it was.
     fn stands(&self, design: &Design) -> bool {
         let is_it =
@@ -115,36 +128,54 @@ impl Key {
     }
 }
 
-/// The meshes of a design that were made last.
-type Known = Newest<Key, Arc<Finished>>;
-
 /// The most triangles that are kept of all parts, some fifty bytes each.
 const MOST_KEPT: usize = 1_000_000;
 
-/// One part of [`solid`], which is made once for the check and for the files after it, and not again where another part is changed; `scale` is from model units to millimetres.
+/// The most bodies that are known to be made as usual: of hundreds of parts the meshes are too large to be kept.
+const MOST_SOUND: usize = 2_000;
+
+/// What is known of the parts of a design, or of one before it.
+struct Known {
+    /// The meshes that were made last.
+    meshes: Newest<Key, Arc<Finished>>,
+    /// The parts that are made within the usual tolerance.
+    sound: Newest<Key, ()>,
+}
+
+impl Known {
+    /// What a solution keeps, with what that of the design before it knew of parts that are still as they were.
+    fn of(solution: &Solution) -> Option<&Known> {
+        let [kept, before] = solution.made_parts();
+        if kept.is_empty() {
+            let stands = |key: &Key| key.stands(solution.design());
+            kept.keep(match before.get::<Known>() {
+                Some(before) => Known { meshes: before.meshes.of(stands), sound: before.sound.of(stands) },
+                None => Known { meshes: Newest::new(MOST_KEPT), sound: Newest::new(MOST_SOUND) },
+            });
+        }
+        kept.get()
+    }
+}
+
+/// One part of [`solid`], which is made once for the picture, the check and the files after it, and not again where another part is changed; `scale` is from model units to millimetres.
 ///
 /// # Errors
 /// As [`solid`].
 pub(crate) fn make(solution: &Solution, number: usize, making: &Making, scale: f64) -> Result<Arc<Finished>> {
-    let (design, (_, part)) = (solution.design(), solution.existing(number)?);
-    let [kept, before] = solution.made_parts();
-    if kept.is_empty() {
-        let still = |before: &Known| before.of(|key| key.stands(design));
-        kept.keep(before.get::<Known>().map_or_else(|| Known::new(MOST_KEPT), still));
-    }
-    let known = kept.get::<Known>();
-    let (tolerance, scale_bits, product) = (making.tolerance.map(f64::to_bits), scale.to_bits(), making.product);
-    let is_it = |of: &Key, _: &Arc<Finished>| {
-        (of.number, of.tolerance, of.scale, of.product) == (number, tolerance, scale_bits, product)
-    };
-    if let Some(made) = known.and_then(|known| known.find(is_it)) {
+    let (_, part) = solution.existing(number)?;
+    let known = Known::of(solution);
+    if let Some(made) = known.and_then(|known| known.meshes.find(|of, _| of.is_of(number, making, scale))) {
         return Ok(made);
     }
     let made = Arc::new(made_anew(solution, number, making, scale)?);
     if let Some(known) = known {
-        let key =
-            Key { number, part: Arc::new(part.clone()), unit: design.unit(), tolerance, scale: scale_bits, product };
-        known.keep(key, &made, made.mesh.n_triangles());
+        let Making { tolerance, product, .. } = *making;
+        let (part, unit) = (Arc::new(part.clone()), solution.design().unit());
+        let key = Key { number, part, unit, tolerance: tolerance.map(f64::to_bits), scale: scale.to_bits(), product };
+        if tolerance.is_none() {
+            known.sound.keep(key.clone(), &(), 1);
+        }
+        known.meshes.keep(key, &made, made.mesh.n_triangles());
     }
     Ok(made)
 }
@@ -163,9 +194,12 @@ fn made_anew(solution: &Solution, part: usize, making: &Making, scale: f64) -> R
         return Ok(Finished { mesh, topology, unkept: None, pot: None, thinnest: None });
     }
     let skin = Arc::new(Skin::new(placed)?);
-    let usual = grid(&skin, None, None)?.bound;
-    if making.tolerance.is_some_and(|asked| asked > usual) {
-        refuse_crossing(&skin, None, scale)?;
+    if is_coarse(&skin, making.tolerance)? {
+        // What it steps over a finer mesh runs into: that of a file, which is kept for it.
+        let usual = Making { tolerance: None, ..*making };
+        if Known::of(solution).and_then(|known| known.sound.find(|of, ()| of.is_of(part, &usual, scale))).is_none() {
+            make(solution, part, &usual, scale)?;
+        }
     }
     refuse_crossing(&skin, making.tolerance, scale)?;
     solution.made(part, making.product, making.tolerance, scale).map(Finished::from)
@@ -216,6 +250,41 @@ mod tests {
             assert!(again.mesh == made(&Solution::of(solution.design()), 0, &other).mesh);
         }
         assert!(Arc::ptr_eq(&one, &made(&solution, 0, &making)));
+    }
+
+    #[test]
+    fn what_is_coarser_than_usual_is_held_against_the_mesh_of_a_file_which_is_made_once() {
+        let solution = Solution::of(&design(&[CUP], ""));
+        let usual = Making { tolerance: None, ..solid(0.1) };
+        let n_kept = |solution: &Solution| Known::of(solution).map_or(0, |known| known.meshes.n_kept());
+        for (tolerance, kept) in [(0.2, 2), (0.05, 3), (0.2, 3)] {
+            solution.drawn(&Making { product: Product::Pot, ..solid(tolerance) }).unwrap();
+            assert_eq!(n_kept(&solution), kept, "{tolerance}");
+        }
+        let pot = Making { product: Product::Pot, ..usual };
+        assert!(solution.check(&pot).unwrap().is_ok());
+        assert_eq!((n_kept(&solution), solution.solid(&pot).unwrap().len()), (3, 1));
+        assert!(made(&solution, 0, &pot).mesh == made(&Solution::of(solution.design()), 0, &pot).mesh);
+        // One that is finer than usual is not.
+        let fine = Solution::of(solution.design());
+        fine.solid(&Making { product: Product::Pot, ..solid(1e-3) }).unwrap();
+        assert_eq!(n_kept(&fine), 1);
+    }
+
+    #[test]
+    fn a_part_whose_usual_mesh_was_too_large_to_keep_is_known_to_be_sound() {
+        let solution = Solution::of(&design(&[CUP], ""));
+        let coarse = Making { product: Product::Pot, ..solid(0.2) };
+        solution.solid(&coarse).unwrap();
+        let next = solution.after(&design(&[CUP], r#", "title": "cup""#));
+        let known = Known::of(&next).unwrap();
+        let (part, unit) = (Arc::new(next.design().parts()[0].clone()), next.design().unit());
+        let large = Key { number: 1, part, unit, tolerance: None, scale: 0, product: Product::Solid };
+        known.meshes.keep(large, &made(&solution, 0, &coarse), MOST_KEPT);
+        assert_eq!(known.meshes.n_kept(), 1);
+        let other = Making { tolerance: Some(0.3), ..coarse };
+        assert!(made(&next, 0, &other).mesh == made(&Solution::of(next.design()), 0, &other).mesh);
+        assert_eq!(known.meshes.n_kept(), 1);
     }
 
     #[test]

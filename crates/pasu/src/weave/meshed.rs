@@ -63,10 +63,18 @@ impl Made {
     /// # Errors
     /// As [`solid`](crate::solid()).
     pub(crate) fn of(pot: Pot, tolerance: Option<f64>, scale: f64) -> Result<Made> {
-        let usual = grid(pot.skin(), None, None)?.bound;
-        if tolerance.is_some_and(|asked| asked > usual) {
+        if is_coarse(pot.skin(), tolerance)? {
             meshed(&pot, None, scale)?;
         }
+        Made::within(pot, tolerance, scale)
+    }
+
+    /// As [`Made::of`], of a pot that is known to be made without a tolerance too where that [is coarse](is_coarse).
+    ///
+    /// # Errors
+    /// As [`solid`](crate::solid()).
+    pub(super) fn within(pot: Pot, tolerance: Option<f64>, scale: f64) -> Result<Made> {
+        let usual = grid(pot.skin(), None, None)?.bound;
         let is_fine = tolerance.is_some_and(|asked| asked < usual);
         let made = meshed(&pot, tolerance, scale).map_err(|error| match error.code() {
             Code::CrossesItself | Code::NoRoom | Code::PinchedSurface
@@ -90,6 +98,17 @@ impl Made {
             Err(error) => Err(Box::new((pot, error))),
         }
     }
+}
+
+/// Whether a tolerance is coarser than what is usual.
+///
+/// # Errors
+/// What keeps the surface from being meshed.
+pub(crate) fn is_coarse(skin: &Skin, tolerance: Option<f64>) -> Result<bool> {
+    Ok(match tolerance {
+        Some(asked) => asked > grid(skin, None, None)?.bound,
+        None => false,
+    })
 }
 
 /// The mesh of a pot within a tolerance, or within the usual one; with the tolerance where it is not kept.

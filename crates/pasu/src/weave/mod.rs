@@ -11,6 +11,8 @@ mod solid_mesh;
 mod woven;
 
 pub(crate) use closed_patches::closed_patches;
-pub(crate) use meshed::{COARSE, GLIMPSE, Made, compact, finished, glimpsed, grid, meshed_once, refuse_crossing};
+pub(crate) use meshed::{
+    COARSE, GLIMPSE, Made, compact, finished, glimpsed, grid, is_coarse, meshed_once, refuse_crossing,
+};
 pub use solid_mesh::SolidMesh;
 pub(crate) use woven::{Woven, weave};

@@ -56,14 +56,14 @@ impl Settled {
         }
     }
 
-    /// The mesh within a tolerance; `scale` is from model units to millimetres.
+    /// The mesh within a tolerance; `scale` is from model units to millimetres. One that is coarser than usual has to be made as usual too, by whoever asks for it.
     ///
     /// # Errors
     /// As [`solid`](crate::solid()).
-    pub(crate) fn made(self, tolerance: Option<f64>, scale: f64) -> Result<Made> {
+    fn made(self, tolerance: Option<f64>, scale: f64) -> Result<Made> {
         match self {
             Settled::Meshed(made, judged) if tolerance.is_none() && judged == scale => Ok(*made),
-            _ => Made::of(self.into_pot(), tolerance, scale),
+            _ => Made::within(self.into_pot(), tolerance, scale),
         }
     }
 }
@@ -127,7 +127,7 @@ impl Solution {
         }
     }
 
-    /// The mesh of a body; `scale` is from model units to millimetres.
+    /// The mesh of a body; `scale` is from model units to millimetres. One that is coarser than usual has to be made as usual too, by whoever asks for it.
     ///
     /// # Errors
     /// As [`solid`](crate::solid()).
