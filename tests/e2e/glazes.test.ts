@@ -81,3 +81,23 @@ test("glaze, clay, inside and line are chosen with a hand and by the keyboard, u
   await page.getByLabel("Glaze inside", { exact: true }).selectOption("As outside");
   await expect.poll(() => pot.address()).toContain("#1/second-order?glaze=bare&clay=b03010");
 });
+
+test("a solid has no inside to be glazed, and one that was glazed there can be told otherwise", async () => {
+  const octant = (look: string) =>
+    `{ "pasu": 1, "parts": [{ "shape": { "kind": "octant", "exponents": [2, 2, 2] }, "place": { "scale": [5, 5, 5] }${look} }] }`;
+  const pot = await here.enter();
+  const jar = await pot.fingerprint();
+  const inside = pot.page.getByLabel("Glaze inside", { exact: true });
+  await pot.tab("Look");
+  expect(await inside.count()).toBe(1);
+  await pot.dropFile("octant.json", octant(""));
+  const plain = await pot.fingerprintOtherThan(jar);
+  await pot.page.getByText("Celadon", { exact: true }).first().waitFor();
+  expect(await inside.count()).toBe(0);
+  await pot.dropFile("glazed.json", octant(`, "look": { "inside": "cobalt" }`));
+  await inside.waitFor();
+  expect(await inside.inputValue()).toBe("cobalt");
+  await inside.selectOption("As outside");
+  await pot.shows(plain);
+  await expect.poll(() => inside.count()).toBe(0);
+});

@@ -32,7 +32,7 @@ test("a pot takes the size that is typed, in any unit, and a change of unit conv
   await pot.fingerprintOtherThan(higher);
   await expect.poll(() => caption(pot)).toContain("12 in high and 14 in wide");
   await expect.poll(() => sizes(pot)).toEqual(["12", "14", "20.8"]);
-  await pot.page.locator("pasu-size").getByText("44 US pt", { exact: true }).waitFor();
+  await pot.page.locator("pasu-size").getByText("5.49 US gal", { exact: true }).waitFor();
   await size(pot, "Height", "wide");
   await pot.page.getByText("“wide” is not a number").waitFor();
   // What it was opened as has become larger and has changed its unit along with it.

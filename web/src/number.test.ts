@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { formatNumber, inOunces, parseLength, parseNumber, parseVolume, stepped } from "./number";
+import { customary, formatNumber, parseLength, parseNumber, parseVolume, stepped } from "./number";
 
 const value = (text: string) => {
   const typed = parseNumber(text);
@@ -107,6 +107,8 @@ test.each([
   ["12 fl oz", "ml", 354.88235475],
   ["12 oz.", "l", 354.88235475],
   ["1/2 pint", "ml", 236.5882365],
+  ["2 gal", "l", 7570.823568],
+  ["1 gallon", "ml", 3785.411784],
   ["2 litres", "ml", 2000],
   ["5 millilitres", "l", 5],
 ] as const)("%j in %s is %d millilitres", (text, unit, expected) => {
@@ -118,7 +120,8 @@ test.each(["", "a cup", "12 in"])("%j is no volume", (text) => {
   expect(parseVolume(text, "ml")).toHaveProperty("problem");
 });
 
-test("ounces below a pint, pints from there on", () => {
-  expect([330, 473.176473, 4481].map((each) => inOunces(each).unit)).toEqual(["ounce", "pint", "pint"]);
-  expect(inOunces(330).value).toBeCloseTo(11.16, 2);
+test("ounces below a pint, pints below a gallon, gallons from there on", () => {
+  const units = [330, 473.176473, 3785, 3785.411784, 4481].map((each) => customary(each).unit);
+  expect(units).toEqual(["ounce", "pint", "pint", "gallon", "gallon"]);
+  expect(customary(330).value).toBeCloseTo(11.16, 2);
 });

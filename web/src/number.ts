@@ -61,7 +61,7 @@ export function parseLength(text: string, unit: string): Typed {
 /** Digits that a conversion keeps: those of a document. */
 const CONVERTED_DIGITS = 12;
 
-/** Millilitres; ounces and pints are those of the United States. */
+/** Millilitres; ounces, pints and gallons are those of the United States. */
 const MILLILITRES: Readonly<Record<string, number>> = {
   ml: 1,
   cl: 10,
@@ -69,10 +69,11 @@ const MILLILITRES: Readonly<Record<string, number>> = {
   l: 1000,
   "fl oz": 29.5735295625,
   pt: 473.176473,
+  gal: 3785.411784,
 };
 
 const VOLUME =
-  /^(.*?)(millilit(?:er|re)s?|lit(?:er|re)s?|(?:fl\.?|fluid)\s*(?:oz\.?|ounces?)|oz\.?|ounces?|pints?|pt\.?|ml|cl|dl|l)?$/i;
+  /^(.*?)(millilit(?:er|re)s?|lit(?:er|re)s?|(?:fl\.?|fluid)\s*(?:oz\.?|ounces?)|oz\.?|ounces?|pints?|pt\.?|gallons?|gal\.?|ml|cl|dl|l)?$/i;
 
 /** Reads a typed volume in millilitres; a number alone is in `unit` (`ml` or `l`). */
 export function parseVolume(text: string, unit: "ml" | "l"): Typed {
@@ -87,15 +88,19 @@ function volumeUnitOf(word: string): string {
   if (word in MILLILITRES) return word;
   if (/oz|ounce/.test(word)) return "fl oz";
   if (word.startsWith("p")) return "pt";
+  if (word.startsWith("g")) return "gal";
   return word.startsWith("m") ? "ml" : "l";
 }
 
-/** What a volume in millilitres is in ounces, or from a pint on in pints. */
-export function inOunces(millilitres: number): { readonly value: number; readonly unit: "ounce" | "pint" } {
-  const { "fl oz": ounce = 1, pt: pint = 1 } = MILLILITRES;
-  return Math.abs(millilitres) < pint
-    ? { value: millilitres / ounce, unit: "ounce" }
-    : { value: millilitres / pint, unit: "pint" };
+/** What a volume in millilitres is in measures of the United States: in ounces, from a pint on in pints, from a gallon on in gallons. */
+export function customary(millilitres: number): {
+  readonly value: number;
+  readonly unit: "ounce" | "pint" | "gallon";
+} {
+  const { "fl oz": ounce = 1, pt: pint = 1, gal: gallon = 1 } = MILLILITRES;
+  if (Math.abs(millilitres) < pint) return { value: millilitres / ounce, unit: "ounce" };
+  if (Math.abs(millilitres) < gallon) return { value: millilitres / pint, unit: "pint" };
+  return { value: millilitres / gallon, unit: "gallon" };
 }
 
 function unitOf(written: string): string {

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Measures } from "../document/types";
+import type { Measures, Unit } from "../document/types";
 import { waterRange } from "../document/water";
 import { holdsText, measureGroups } from "./measures";
 
@@ -44,9 +44,9 @@ const MEASURES = {
   ],
 } as unknown as Measures;
 
-const lines = (measures: Measures) =>
+const lines = (measures: Measures, unit: Unit = "cm") =>
   Object.fromEntries(
-    measureGroups(measures, 0, "cm").flatMap(({ lines: all }) =>
+    measureGroups(measures, 0, unit).flatMap(({ lines: all }) =>
       all.map(({ name, value, note }) => [name, `${value}${note ? ` (${note})` : ""}`.replaceAll("\u00a0", " ")]),
     ),
   );
@@ -92,6 +92,44 @@ test("a pot on a round foot tips in every direction alike, and all of a full foo
   expect(on(q(1.001 * disc.value))).toMatchObject({ "Tips when tilted by": "24.3° (towards 0°)" });
   // The water stands beside the axis: full, it tips to that side.
   expect(on(disc)).toMatchObject({ "Tips when full, by": "19° (towards 10°)" });
+});
+
+test("what stands on an edge or a point is not said to touch the table with all of nothing", () => {
+  const on = (hullArea: number) =>
+    lines({
+      ...MEASURES,
+      footprint: { level: -1, area: q(0), hullArea: q(hullArea), hull: [] },
+    } as unknown as Measures);
+  for (const area of [0, 1e-7]) expect(on(area).Footprint).toMatch(/cm² \(it stands on an edge or a point\)$/);
+  expect(on(12).Footprint).toBe("12 cm² (of which 0 cm² touch the table)");
+});
+
+test("a direction all the way round is 0°, and a width across half way round too", () => {
+  const { width, tipping } = MEASURES;
+  const told = lines({
+    ...MEASURES,
+    width: { ...width, greatestDirection: 179.97, leastDirection: 89.97 },
+    tipping: { ...tipping, empty: { ...tipping.empty, toward: 359.96 }, full: { ...tipping.full, toward: 359.94 } },
+  } as Measures);
+  expect(told["Greatest width"]).toMatch(/\(across, at 0°\)$/);
+  expect(told["Least width"]).toMatch(/\(across, at 90°\)$/);
+  expect(told["Tips when tilted by"]).toMatch(/\(towards 0°\)$/);
+  expect(told["Tips when full, by"]).toMatch(/\(towards 359.9°\)$/);
+});
+
+test("a curvature that may as well be nothing is told as 0", () => {
+  const [own] = MEASURES.parts;
+  const end = (value: number) => ({ value, error: 3e-18, at: [0, 0, 0] });
+  const gaussian = { least: end(-6.307), greatest: end(-1.664e-33) };
+  const told = lines({
+    ...MEASURES,
+    parts: [{ ...own, curvature: { mean: gaussian, gaussian } }],
+  } as unknown as Measures);
+  expect(told["Gaussian curvature"]).toBe("−6.307 to 0 /cm²");
+});
+
+test("in inches what is fired is weighed in pounds too", () => {
+  expect(lines(MEASURES, "in")["Mass, fired"]).toBe("207 g (0.456 lb)");
 });
 
 test("errors are there to be told", () => {

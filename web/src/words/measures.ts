@@ -10,11 +10,13 @@ import {
   angleWords,
   areaShown,
   areaWords,
+  customaryWords,
+  directionWords,
   errorWords,
   lengthShown,
   lengthWords,
   massShown,
-  ouncesWords,
+  poundsShown,
   type Shown,
   volumeShown,
   volumeWords,
@@ -23,6 +25,13 @@ import {
 
 /** Areas whose difference nobody can measure are the same. */
 const SAME = 1e-4;
+
+/** What it stands on is no area if it is less than this part of the square of its width. */
+const EDGE = 1e-6;
+
+/** Degrees: of a direction, and of a width, which is the same from behind. */
+const TURN = 360;
+const HALF_TURN = 180;
 
 /** Digits of heights and widths, as in the caption and on the dimension lines; and where they are told exactly. */
 const SIZE_DIGITS = 3;
@@ -67,8 +76,8 @@ function sizes({ height, width, area }: Measures, unit: Unit, exact: boolean): G
       ...(isRound(width)
         ? [size(said.width, width.greatest, said.sameAllRound)]
         : [
-            size(said.greatestWidth, width.greatest, said.across(angleWords(width.greatestDirection))),
-            size(said.leastWidth, width.least, said.across(angleWords(width.leastDirection))),
+            size(said.greatestWidth, width.greatest, said.across(directionWords(width.greatestDirection, HALF_TURN))),
+            size(said.leastWidth, width.least, said.across(directionWords(width.leastDirection, HALF_TURN))),
           ]),
       quantity(said.surface, area, areaShown(unit)),
     ],
@@ -86,7 +95,7 @@ function held(measures: Measures, unit: Unit): readonly Group[] {
   const { brim, spill, stopped } = capacity;
   const notes = [
     ...(stopped ? [said.stopped] : []),
-    ...(unit === "in" ? [ouncesWords(millilitres(brim.value, unit))] : []),
+    ...(unit === "in" ? [customaryWords(millilitres(brim.value, unit))] : []),
   ];
   return [
     {
@@ -110,19 +119,20 @@ export function emptyReason({ parts }: Measures, unit: Unit): string {
 
 function clay({ clay: body }: Measures, unit: Unit): readonly Group[] {
   if (!body) return [];
+  const pounds = unit === "in" ? words(body.mass.value, poundsShown(), 3) : undefined;
   return [
     {
       title: said.clay,
       lines: [
         quantity(said.volume, body.volume, volumeShown(body.volume.value, unit)),
-        quantity(said.mass, body.mass, massShown(body.mass.value)),
+        quantity(said.mass, body.mass, massShown(body.mass.value), pounds),
         quantity(said.glazed, body.area, areaShown(unit)),
       ],
     },
   ];
 }
 
-function standing({ centre, tipping, footprint, bottom }: Measures, unit: Unit): readonly Group[] {
+function standing({ centre, tipping, footprint, bottom, width }: Measures, unit: Unit): readonly Group[] {
   const lines: Line[] = [];
   const heavy = (name: string, at: { readonly at: Triple; readonly error: number } | null) => {
     if (!at) return;
@@ -139,11 +149,12 @@ function standing({ centre, tipping, footprint, bottom }: Measures, unit: Unit):
   heavy(said.centreFull, centre.full);
   if (footprint) {
     const { area, hullArea } = footprint;
+    const onEdge = hullArea.value <= EDGE * width.greatest.value ** 2;
     const touching =
       hullArea.value - area.value <= SAME * hullArea.value
         ? said.allTouches
         : said.touches(areaWords(area.value, unit));
-    lines.push(quantity(said.footprint, hullArea, areaShown(unit), touching));
+    lines.push(quantity(said.footprint, hullArea, areaShown(unit), onEdge ? said.standsOnEdge : touching));
   }
   const tips = (name: string, tip: Measures["tipping"]["empty"], heavyAt: { readonly at: Triple } | null) => {
     if (!tip) return;
@@ -151,7 +162,7 @@ function standing({ centre, tipping, footprint, bottom }: Measures, unit: Unit):
     const nearest = heavyAt ? (heavyAt.at[2] - bottom) * Math.tan((tip.degrees * Math.PI) / 180) : 0;
     const disc = Math.PI * nearest * nearest;
     const round = footprint !== null && Math.abs(footprint.hullArea.value - disc) <= SAME * disc;
-    const note = round ? said.everyWay : said.towards(angleWords(tip.toward));
+    const note = round ? said.everyWay : said.towards(directionWords(tip.toward, TURN));
     lines.push({ name, value: angleWords(tip.degrees), error: errorWords(tip.error), note });
   };
   tips(said.tips, tipping.empty, centre.empty);
@@ -192,8 +203,9 @@ function wall(part: PartMeasures, unit: Unit): readonly Group[] {
 }
 
 function curved(name: string, { least, greatest }: Curvature, unit: string): readonly Line[] {
-  const end = (extreme: { readonly value: number } | null, otherwise: string) =>
-    extreme ? formatNumber(extreme.value, 4) : otherwise;
+  // What may as well be nothing is told as that.
+  const told = ({ value, error }: Quantity) => formatNumber(Math.abs(value) <= error ? 0 : value, 4);
+  const end = (extreme: Quantity | null, otherwise: string) => (extreme ? told(extreme) : otherwise);
   // Of what has edges everywhere there is nothing to tell.
   if (!least && !greatest) return [];
   const error = errorWords(Math.max(least?.error ?? 0, greatest?.error ?? 0));

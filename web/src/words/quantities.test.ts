@@ -2,11 +2,11 @@ import { expect, test } from "vitest";
 import {
   angleWords,
   areaWords,
+  customaryWords,
   degreesWords,
   errorWords,
   lengthWords,
   massShown,
-  ouncesWords,
   volumeWords,
   words,
 } from "./quantities";
@@ -37,10 +37,11 @@ test.each([
   expect(plain(text)).toBe(wanted);
 });
 
-test("ounces below a pint, pints from there on", () => {
-  expect([330, 473.176473, 4481].map((each) => plain(ouncesWords(each)))).toEqual([
+test("ounces below a pint, pints below a gallon, gallons from there on", () => {
+  expect([330, 473.176473, 3700, 96290].map((each) => plain(customaryWords(each)))).toEqual([
     "11.2 US fl oz",
     "1 US pt",
-    "9.47 US pt",
+    "7.82 US pt",
+    "25.4 US gal",
   ]);
 });

@@ -4,17 +4,15 @@ import type { Unit } from "../document/types";
 import type { Wedging } from "../document/wedging";
 import { WET_DENSITY } from "../document/wedging";
 import { formatNumber } from "../number";
-import { quantities } from "./english/quantities";
 import { wedging as said } from "./english/wedging";
-import { massShown, words } from "./quantities";
+import { massShown, poundsShown, words } from "./quantities";
 
-const GRAMS_PER_POUND = 453.59237;
 /** Nobody weighs clay closer than this. */
 const DIGITS = 3;
 
 /** Pounds where lengths are in inches. */
 export function clayWords(grams: number, unit: Unit): string {
-  const shown = unit === "in" ? { factor: 1 / GRAMS_PER_POUND, unit: quantities.pounds } : massShown(grams);
+  const shown = unit === "in" ? poundsShown() : massShown(grams);
   return words(grams, shown, DIGITS);
 }
 

@@ -2,6 +2,7 @@
 
 import { css, html, nothing, unsafeCSS } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { isSolid } from "../../document/closes";
 import { type Looked, lookOf, unitOf } from "../../document/look";
 import { isOwn, swatchOf } from "../../document/swatches";
 import * as tables from "../../document/tables.gen";
@@ -32,10 +33,12 @@ export class PasuLook extends DesignerElement {
   override render() {
     const { designer } = this;
     const { design, part } = designer.state;
-    const chosen = lookOf(design.parts[part]);
+    const own = design.parts[part];
+    const chosen = lookOf(own);
+    const hasInside = own !== undefined && (own.wall !== undefined || !isSolid(own.shape));
     return html`
       ${this.swatches(look.glaze, "glaze", entries<GlazeName>(look.glazes), chosen.glaze, look.ownGlaze)}
-      ${this.within(chosen, design.parts[part]?.look?.inside)}
+      ${hasInside || own?.look?.inside !== undefined ? this.within(chosen, own?.look?.inside) : nothing}
       ${chosen.glaze === "bare" ? nothing : this.line(chosen)}
       ${this.swatches(look.clay, "clay", entries<ClayName>(look.clays), chosen.clay, look.ownClay)}
       <label class="unit">

@@ -13,7 +13,7 @@ import { checks } from "../../ui/checks";
 import { base, fields } from "../../ui/styles";
 import { quantities } from "../../words/english/quantities";
 import { size as words } from "../../words/english/size";
-import { lengthWords, ouncesWords } from "../../words/quantities";
+import { customaryWords, lengthWords } from "../../words/quantities";
 import { numberProblemWords } from "../../words/typed";
 import { factorFor, type Sized, sizeOf } from "../../work/sizing";
 
@@ -104,7 +104,7 @@ export class PasuSize extends DesignerElement {
           @change=${(event: Event) => void this.take(sized, event.target as HTMLInputElement, text, litres ? "l" : "ml")}
         /><span class="unit" aria-hidden="true">${sized === "capacity" ? (litres ? quantities.litres : quantities.millilitres) : quantities.units[unit]}</span></span
       >
-      ${volume !== null && unit === "in" ? html`<span class="hint">${ouncesWords(volume)}</span>` : nothing}
+      ${volume !== null && unit === "in" ? html`<span class="hint">${customaryWords(volume)}</span>` : nothing}
     </label>`;
   }
 

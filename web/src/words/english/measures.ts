@@ -30,6 +30,7 @@ export const measures = phrases("measures", {
   footprint: "Footprint",
   allTouches: "all of it touches the table",
   touches: (area: string) => `of which ${area} touch the table`,
+  standsOnEdge: "it stands on an edge or a point",
   everyWay: "in every direction",
   towards: (angle: string) => `towards ${angle}`,
   tips: "Tips when tilted by",

@@ -14,8 +14,7 @@ export const quantities = phrases("quantities", {
   kilograms: "kg",
   pounds: "lb",
   pixels: "px",
-  ounces: "US\u00a0fl\u00a0oz",
-  pints: "US\u00a0pt",
+  customary: { ounce: "US\u00a0fl\u00a0oz", pint: "US\u00a0pt", gallon: "US\u00a0gal" },
   measured: (number: string, unit: string) => `${number}\u00a0${unit}`,
   /** Inside a sentence, which may break there. */
   spoken: (number: string, unit: string) => `${number} ${unit}`,
