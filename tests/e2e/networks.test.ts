@@ -593,7 +593,12 @@ test("a network that was saved as OBJ and is dropped is opened as one, and not a
   await pot.dropFile("triangles.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
   await pot.page.locator("pasu-scan .trouble").waitFor();
   expect(await offer.count()).toBe(0);
+  const either = pot.page.getByText("It cannot be opened as a network of patches either.");
+  expect(await either.count()).toBe(0);
   // Into the dialog that is open.
+  await pot.dropFile("bad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 3 7\n");
+  await either.waitFor();
+  expect(await either.textContent()).toContain("The face in line 6 of this file names the point 7, and there are 4.");
   await pot.dropFile("saved.obj", bytes);
   await offer.click();
   await pot.fingerprintOtherThan(vase);

@@ -3,6 +3,7 @@
 import type { Curvature, Measures, PartMeasures, Quantity, Triple, Unit } from "../document/types";
 import { millilitres } from "../document/volume";
 import { formatNumber } from "../number";
+import { customaryWords, poundsShown } from "./customary";
 import { measures as said } from "./english/measures";
 import { quantities } from "./english/quantities";
 import { dryWords } from "./making";
@@ -10,13 +11,11 @@ import {
   angleWords,
   areaShown,
   areaWords,
-  customaryWords,
   directionWords,
   errorWords,
   lengthShown,
   lengthWords,
   massShown,
-  poundsShown,
   type Shown,
   volumeShown,
   volumeWords,

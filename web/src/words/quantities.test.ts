@@ -2,7 +2,6 @@ import { expect, test } from "vitest";
 import {
   angleWords,
   areaWords,
-  customaryWords,
   degreesWords,
   errorWords,
   lengthWords,
@@ -35,13 +34,4 @@ test.each([
   [errorWords(Number.NaN), ""],
 ])("%s", (text, wanted) => {
   expect(plain(text)).toBe(wanted);
-});
-
-test("ounces below a pint, pints below a gallon, gallons from there on", () => {
-  expect([330, 473.176473, 3700, 96290].map((each) => plain(customaryWords(each)))).toEqual([
-    "11.2 US fl oz",
-    "1 US pt",
-    "7.82 US pt",
-    "25.4 US gal",
-  ]);
 });

@@ -2,7 +2,7 @@
 
 import type { Unit } from "../document/types";
 import { millilitres } from "../document/volume";
-import { customary, formatNumber } from "../number";
+import { formatNumber } from "../number";
 import { quantities } from "./english/quantities";
 
 /** Digits that a person reads; the error tells how many more are known. */
@@ -10,8 +10,6 @@ const DIGITS = 4;
 
 /** From here on, rounded to whole numbers, the larger unit is shorter. */
 const THOUSAND = 999.5;
-
-const GRAMS_PER_POUND = 453.59237;
 
 /** How a measure is shown: by what it is multiplied, and the unit that it has then. */
 export interface Shown {
@@ -52,11 +50,6 @@ export function volumeWords(value: number, unit: Unit, digits = DIGITS): string 
   return words(value, volumeShown(value, unit), digits);
 }
 
-/** From grams, as scales in the United States show them. */
-export function poundsShown(): Shown {
-  return { factor: 1 / GRAMS_PER_POUND, unit: quantities.pounds };
-}
-
 /** From grams. */
 export function massShown(grams: number): Shown {
   return Math.abs(grams) < THOUSAND
@@ -83,12 +76,6 @@ export function degreesWords(degrees: number): string {
 export function directionWords(degrees: number, turn: number): string {
   const rounded = Number(degrees.toFixed(1));
   return angleWords(rounded >= turn ? rounded - turn : rounded);
-}
-
-/** "11.2 US fl oz", from a pint on in pints and from a gallon on in gallons. */
-export function customaryWords(volume: number): string {
-  const { value, unit } = customary(volume);
-  return quantities.measured(formatNumber(value, 3), quantities.customary[unit]);
 }
 
 const GAP = "\u00a0";

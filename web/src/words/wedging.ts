@@ -4,8 +4,9 @@ import type { Unit } from "../document/types";
 import type { Wedging } from "../document/wedging";
 import { WET_DENSITY } from "../document/wedging";
 import { formatNumber } from "../number";
+import { poundsShown } from "./customary";
 import { wedging as said } from "./english/wedging";
-import { massShown, poundsShown, words } from "./quantities";
+import { massShown, words } from "./quantities";
 
 /** Nobody weighs clay closer than this. */
 const DIGITS = 3;

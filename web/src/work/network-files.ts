@@ -18,19 +18,28 @@ export async function openObj(designer: Designer): Promise<boolean> {
   const file = await pickFile(".obj,model/obj");
   if (!file) return false;
   const read = await readNetwork(file);
-  if (typeof read === "string") {
-    designer.notices.say(read);
+  if ("trouble" in read) {
+    designer.notices.say(read.trouble);
     return false;
   }
-  openNetwork(designer, file, read);
+  openNetwork(designer, file, read.network);
   return true;
 }
 
-/** The network that the faces of a file are; what is wrong with it, in words, where they are none. */
-export async function readNetwork(file: File): Promise<Network | string> {
-  if (file.size > MOST) return words.objTrouble.large;
+/** What is wrong with it in words, and whether it may have been meant as a network: triangles are none. */
+interface NoNetwork {
+  readonly trouble: string;
+  readonly isMeant: boolean;
+}
+
+/** The network that the faces of a file are, or why they are none. */
+export async function readNetwork(file: File): Promise<{ readonly network: Network } | NoNetwork> {
+  if (file.size > MOST) return { trouble: words.objTrouble.large, isMeant: false };
   const read = readObj(await file.text());
-  return "trouble" in read ? objWords(read.trouble) : read.network;
+  if ("network" in read) return read;
+  const { trouble } = read;
+  const isMeant = trouble.code !== "empty" && !(trouble.code === "corners" && trouble.corners === 3);
+  return { trouble: objWords(trouble), isMeant };
 }
 
 /** Opens a network that was read of a file, as a design of its own. */

@@ -67,7 +67,10 @@ impl<'a> PatchGrids<'a> {
                     )));
                 }
                 let found = lines_within(&patches, stretch, tolerance - rounding, VERTEX_LIMIT);
-                let (mut lines, deviation) = found.ok_or_else(beyond)?;
+                let (mut lines, deviation) = found.ok_or_else(|| match options.tolerance {
+                    Some(_) => beyond().with("what", "tolerance"),
+                    None => beyond(),
+                })?;
                 if rows.is_none() && columns.is_none() {
                     let bound = Some(deviation + rounding).filter(|bound| bound.is_finite());
                     return Ok(PatchGrids { placed, lines, bound });

@@ -592,4 +592,11 @@ fn a_tolerance_that_takes_too_many_points_says_that_it_is_the_tolerance() {
     assert_eq!((finding.code, finding.path.as_deref()), ("too-large", Some("parts[0]")), "{finding:?}");
     assert_eq!(finding.args.get("what"), Some(&"tolerance".into()));
     assert!(report.meshes.is_empty() && finding.args.contains_key("rows"));
+    // Of patches too.
+    let octant = r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "octant", "exponents": [2, 2, 2] } }] }"#;
+    let making = Making { tolerance: Some(3e-7), ..making };
+    let report = check(&Design::parse(octant).unwrap(), &making).unwrap();
+    let [finding] = &report.findings[..] else { panic!("{report:?}") };
+    assert_eq!((finding.code, finding.path.as_deref()), ("too-large", Some("parts[0]")), "{finding:?}");
+    assert_eq!(finding.args.get("what"), Some(&"tolerance".into()));
 }

@@ -55,6 +55,8 @@ export class PasuScan extends DesignerElement {
   @state() private levels: Levels | null = null;
   /** What the faces of the file are besides, if they are patches. */
   @state() private network: { readonly file: File; readonly network: Network } | null = null;
+  /** Why they are none, where they seem to be meant as such. */
+  @state() private unpatched = "";
   private readonly rings = new Seeking<ScannedShape>(this, PAUSE_MS);
   private triangles: Float32Array | null = null;
   /** How high the scan was taken to be when it was opened. */
@@ -93,6 +95,7 @@ export class PasuScan extends DesignerElement {
       <button class="button outlined" type="button" ?disabled=${this.busy} @click=${this.pick}>${icon("open")}<span>${words.file}</span></button>
       ${this.file ? html`<p class="hint">${words.undesigned(page.quoted(isolated(this.file.name)))}</p>` : nothing}
       ${this.trouble === "" ? nothing : html`<p class="trouble" role="alert">${this.trouble}</p>`}
+      ${this.trouble !== "" && this.unpatched !== "" ? html`<p class="hint">${this.unpatched}</p>` : nothing}
       ${
         this.network
           ? html`<p class="hint">${words.patches}</p>
@@ -197,6 +200,7 @@ export class PasuScan extends DesignerElement {
     this.levels = null;
     this.triangles = null;
     this.network = null;
+    this.unpatched = "";
     this.rings.forget();
     if (scanKind(file.name) === "obj") await this.lookForPatches(file);
     const triangles = await trianglesOf(file).catch(() => null);
@@ -216,8 +220,10 @@ export class PasuScan extends DesignerElement {
 
   /** A network that was saved as OBJ is no scan, and quads may be either. */
   private async lookForPatches(file: File): Promise<void> {
-    const network = await readNetwork(file).catch(() => null);
-    if (this.reading === file && network !== null && typeof network !== "string") this.network = { file, network };
+    const read = await readNetwork(file).catch(() => null);
+    if (this.reading !== file || read === null) return;
+    if ("network" in read) this.network = { file, network: read.network };
+    else if (read.isMeant) this.unpatched = words.unpatched(read.trouble);
   }
 
   private readonly usePatches = (): void => {

@@ -6,14 +6,16 @@ import { unitOf } from "../../document/look";
 import type { Walls } from "../../document/scaled";
 import type { Measures, Unit } from "../../document/types";
 import { millilitres } from "../../document/volume";
+import { parseVolume } from "../../document/volume-units";
 import { DesignerElement } from "../../element/designer-element";
-import { formatNumber, parseLength, parseVolume } from "../../number";
+import { formatNumber, parseLength } from "../../number";
 import { resize, setUnit } from "../../state/actions";
 import { checks } from "../../ui/checks";
 import { base, fields } from "../../ui/styles";
+import { customaryWords } from "../../words/customary";
 import { quantities } from "../../words/english/quantities";
 import { size as words } from "../../words/english/size";
-import { customaryWords, lengthWords } from "../../words/quantities";
+import { lengthWords } from "../../words/quantities";
 import { numberProblemWords } from "../../words/typed";
 import { factorFor, type Sized, sizeOf } from "../../work/sizing";
 

@@ -53,6 +53,11 @@ test("files that hold no network say why", () => {
     expect(trouble(`${points}f 1 2 3 ${index}\n`)).toEqual(named(index));
   expect(trouble(`${points}f 1 2 3 1\n`)).toEqual({ code: "repeated", line: 9 });
   expect(trouble(`${points}v 0 -0 0\nf 1 2 3 9\n`)).toEqual({ code: "collapsed", line: 10 });
+  expect(trouble(`${points}v 0 0 0\nf 1 2 9 4 3 6 7 8\n`)).toEqual({ code: "collapsed", line: 10 });
+  // Middles may be where corners are, and other points too.
+  expect(trouble(`${points}v 0 0 0\nf 1 9 2 5 3 6 4 8\n`)).toBeUndefined();
+  expect(trouble(`${points}f\n`)).toEqual({ code: "corners", line: 9, corners: 0 });
+  expect(trouble(`vt 1 0\nvn x\nface 1\nv\n`)).toEqual({ code: "point", line: 4 });
   expect(trouble("v 0 0 1\nv 0 0 x\n")).toEqual({ code: "point", line: 2 });
   expect(trouble("v 0 0\n")).toEqual({ code: "point", line: 1 });
   expect(trouble(`${points}f 1 2 3 4\nf 1 2 6 5\nf 1 2 8 7\n`)).toEqual({ code: "crowded" });

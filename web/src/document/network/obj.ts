@@ -37,14 +37,17 @@ export function readObj(text: string): ReadObj {
   let line = 0;
   for (const each of lines) {
     line += 1;
-    const [word, ...rest] = (each.split("#", 1)[0] as string).replaceAll("\\", " ").trim().split(/\s+/);
     const begun = line;
-    line += each.split("\\").length - 1;
+    for (let at = each.indexOf("\\"); at >= 0; at = each.indexOf("\\", at + 1)) line += 1;
+    const said = (each.includes("#") ? (each.split("#", 1)[0] as string) : each).replaceAll("\\", " ").trim();
+    if (!/^[vf](\s|$)/.test(said)) continue;
+    const [word, ...rest] = said.split(/\s+/);
     if (word === "v") {
-      const [x = Number.NaN, y = Number.NaN, z = Number.NaN] = rest.map(Number);
-      if (![x, y, z].every(Number.isFinite)) return { trouble: { code: "point", line: begun } };
+      const [x = Number.NaN, y = Number.NaN, z = Number.NaN] = [Number(rest[0]), Number(rest[1]), Number(rest[2])];
+      if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z)))
+        return { trouble: { code: "point", line: begun } };
       vertices.push([x, y, z]);
-    } else if (word === "f") {
+    } else {
       // Counted from 1, or from the last one back; what follows a slash are textures and normals.
       const points = rest
         .map((named) => (/^[+-]?\d+(\/|$)/.test(named) ? Number.parseInt(named, 10) : 0))
@@ -60,18 +63,18 @@ export function readObj(text: string): ReadObj {
     const wrong = points.findIndex((index) => vertices[index] === undefined);
     if (wrong >= 0) return { trouble: { code: "no-point", line, named: named[wrong] ?? "", points: count } };
     if (new Set(points).size < points.length) return { trouble: { code: "repeated", line } };
-    const corners = points.length === 8 ? points.filter((_, place) => place % 2 === 0) : points;
-    const places = new Set(corners.map((index) => vertices[index]?.map((value) => value + 0).join(" ")));
-    if (places.size < corners.length) return { trouble: { code: "collapsed", line } };
+    if (isCollapsed(points, vertices)) return { trouble: { code: "collapsed", line } };
   }
   const faces = read.map(({ points }) => points);
   if (faces.length === 0) return { trouble: { code: "empty" } };
   if (faces.length > LIMITS.patches) return { trouble: { code: "many", faces: faces.length } };
-  const middles = new Map<string, number>();
+  const middles = new Map<number, number>();
+  const keyOf = (from: number, to: number) => Math.min(from, to) * count + Math.max(from, to);
   // Middles that faces of eight bring along are those of their edges for quads beside them too.
   for (const face of faces) {
     if (face.length === 8)
-      for (const side of [0, 2, 4, 6]) middles.set(keyOf(face[side], face[(side + 2) % 8]), face[side + 1] as number);
+      for (const side of [0, 2, 4, 6])
+        middles.set(keyOf(face[side] as number, face[(side + 2) % 8] as number), face[side + 1] as number);
   }
   const middleOf = (from: number, to: number): number => {
     const key = keyOf(from, to);
@@ -99,6 +102,16 @@ export function writeObj({ vertices, patches }: Network): string {
   return `${[...points, ...faces].join("\n")}\n`;
 }
 
-function keyOf(from: number | undefined, to: number | undefined): string {
-  return [from ?? 0, to ?? 0].sort((a, b) => a - b).join(" ");
+/** Whether two corners of a face are in one place. */
+function isCollapsed(points: readonly number[], vertices: readonly Triple[]): boolean {
+  const step = points.length / 4;
+  const corner = (place: number) => vertices[points[place * step] as number] as Triple;
+  for (let one = 0; one < 4; one += 1) {
+    const [x, y, z] = corner(one);
+    for (let other = one + 1; other < 4; other += 1) {
+      const [a, b, c] = corner(other);
+      if (x === a && y === b && z === c) return true;
+    }
+  }
+  return false;
 }

@@ -9,6 +9,7 @@ export const scan = phrases("scan", {
   /** A file that was opened, and is no design. */
   undesigned: (name: string) => `${name} holds no design. It is read as a scan.`,
   patches: "Its faces have four corners or eight points: they can be the patches of a network as well.",
+  unpatched: (trouble: string) => `It cannot be opened as a network of patches either. ${trouble}`,
   usePatches: "Open them as patches",
   picture: "The outside of the scan from the side, and the rings",
   pictureOff: "The scan from the side, coloured by how far it is from the rings, and the rings",

@@ -1,0 +1,29 @@
+import { expect, test } from "vitest";
+import { customary, parseVolume } from "./volume-units";
+
+test.each([
+  ["330", "ml", 330],
+  ["0,75", "l", 750],
+  ["0.5 l", "ml", 500],
+  ["33 cl", "l", 330],
+  ["12 fl oz", "ml", 354.88235475],
+  ["12 oz.", "l", 354.88235475],
+  ["1/2 pint", "ml", 236.5882365],
+  ["2 gal", "l", 7570.823568],
+  ["1 gallon", "ml", 3785.411784],
+  ["2 litres", "ml", 2000],
+  ["5 millilitres", "l", 5],
+] as const)("%j in %s is %d millilitres", (text, unit, expected) => {
+  const typed = parseVolume(text, unit);
+  expect("value" in typed && typed.value).toBeCloseTo(expected, 9);
+});
+
+test.each(["", "a cup", "12 in"])("%j is no volume", (text) => {
+  expect(parseVolume(text, "ml")).toHaveProperty("problem");
+});
+
+test("ounces below a pint, pints below a gallon, gallons from there on", () => {
+  const units = [330, 473.176473, 3785, 3785.411784, 4481].map((each) => customary(each).unit);
+  expect(units).toEqual(["ounce", "pint", "pint", "gallon", "gallon"]);
+  expect(customary(330).value).toBeCloseTo(11.16, 2);
+});

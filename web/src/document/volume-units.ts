@@ -1,0 +1,45 @@
+/** Units of volume that people type and read. */
+
+import { parseAmount, type Typed } from "../number";
+
+/** Millilitres; ounces, pints and gallons are those of the United States. */
+const MILLILITRES: Readonly<Record<string, number>> = {
+  ml: 1,
+  cl: 10,
+  dl: 100,
+  l: 1000,
+  "fl oz": 29.5735295625,
+  pt: 473.176473,
+  gal: 3785.411784,
+};
+
+const VOLUME =
+  /^(.*?)(millilit(?:er|re)s?|lit(?:er|re)s?|(?:fl\.?|fluid)\s*(?:oz\.?|ounces?)|oz\.?|ounces?|pints?|pt\.?|gallons?|gal\.?|ml|cl|dl|l)?$/i;
+
+/** Reads a typed volume in millilitres; a number alone is in `unit` (`ml` or `l`). */
+export function parseVolume(text: string, unit: "ml" | "l"): Typed {
+  const [, amount = "", written = unit] = VOLUME.exec(text.trim()) ?? [];
+  const typed = parseAmount(amount);
+  if ("problem" in typed) return parseAmount(text);
+  const value = typed.value * (MILLILITRES[volumeUnitOf(written.toLowerCase())] ?? 1);
+  return Number.isFinite(value) ? { value } : { problem: { code: "too-large" } };
+}
+
+function volumeUnitOf(word: string): string {
+  if (word in MILLILITRES) return word;
+  if (/oz|ounce/.test(word)) return "fl oz";
+  if (word.startsWith("p")) return "pt";
+  if (word.startsWith("g")) return "gal";
+  return word.startsWith("m") ? "ml" : "l";
+}
+
+/** What a volume in millilitres is in measures of the United States: in ounces, from a pint on in pints, from a gallon on in gallons. */
+export function customary(millilitres: number): {
+  readonly value: number;
+  readonly unit: "ounce" | "pint" | "gallon";
+} {
+  const { "fl oz": ounce = 1, pt: pint = 1, gal: gallon = 1 } = MILLILITRES;
+  if (Math.abs(millilitres) < pint) return { value: millilitres / ounce, unit: "ounce" };
+  if (Math.abs(millilitres) < gallon) return { value: millilitres / pint, unit: "pint" };
+  return { value: millilitres / gallon, unit: "gallon" };
+}

@@ -1,0 +1,19 @@
+/** Volumes and masses as they are measured in the United States, beside or in place of litres and kilograms where lengths are in inches. */
+
+import { customary } from "../document/volume-units";
+import { formatNumber } from "../number";
+import { quantities } from "./english/quantities";
+import type { Shown } from "./quantities";
+
+const GRAMS_PER_POUND = 453.59237;
+
+/** "11.2 US fl oz", from a pint on in pints and from a gallon on in gallons; from millilitres. */
+export function customaryWords(volume: number): string {
+  const { value, unit } = customary(volume);
+  return quantities.measured(formatNumber(value, 3), quantities.customary[unit]);
+}
+
+/** From grams. */
+export function poundsShown(): Shown {
+  return { factor: 1 / GRAMS_PER_POUND, unit: quantities.pounds };
+}
