@@ -309,6 +309,7 @@ export class PasuArrange extends DesignerElement {
         font-weight: 600;
       }
       h5 {
+        margin: 0;
         padding: 10px 0 2px;
         color: var(--soft);
         font-size: 0.86rem;
