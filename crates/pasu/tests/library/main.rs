@@ -4,6 +4,7 @@ mod allocation;
 mod blend_hostile;
 mod blends;
 mod canonical;
+mod chains;
 mod coaxial;
 mod constraints;
 mod conversion;
