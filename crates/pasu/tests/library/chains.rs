@@ -34,8 +34,11 @@ fn changed(random: &mut Random, design: &mut Value) {
     }
 }
 
-/// A question, and what is answered to the last digit, refusals too.
-fn question(random: &mut Random) -> (String, Box<dyn Fn(&Solution) -> String>) {
+/// What is answered to the last digit, refusals too.
+type Answer = Box<dyn Fn(&Solution) -> String>;
+
+/// A question by its name.
+fn question(random: &mut Random) -> (String, Answer) {
     let making = Making {
         product: if random.chance(3) { Product::Solid } else { Product::Pot },
         tolerance: [None, Some(0.5), Some(0.05)][random.whole(0, 2) as usize],
