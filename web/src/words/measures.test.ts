@@ -100,8 +100,18 @@ test("what stands on an edge or a point is not said to touch the table with all 
       ...MEASURES,
       footprint: { level: -1, area: q(0), hullArea: q(hullArea), hull: [] },
     } as unknown as Measures);
-  for (const area of [0, 1e-7]) expect(on(area).Footprint).toMatch(/cm² \(it stands on an edge or a point\)$/);
+  for (const area of [0, 1e-7]) expect(on(area).Footprint).toBe("0 cm² (it stands on an edge or a point)");
   expect(on(12).Footprint).toBe("12 cm² (of which 0 cm² touch the table)");
+});
+
+test("widths that read alike are one, unless they are told more exactly", () => {
+  const width = { least: q(8.2511), greatest: q(8.2514), leastDirection: 90, greatestDirection: 0 };
+  expect(lines({ ...MEASURES, width })).toMatchObject({ Width: "8.25 cm (the same all round)" });
+  const [exact] = measureGroups({ ...MEASURES, width }, 0, "cm", true);
+  expect(exact?.lines.map(({ value }) => value.replaceAll("\u00a0", " ")).slice(1, 3)).toEqual([
+    "8.2514 cm",
+    "8.2511 cm",
+  ]);
 });
 
 test("a direction all the way round is 0°, and a width across half way round too", () => {

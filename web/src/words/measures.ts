@@ -66,13 +66,13 @@ export function measureGroups(measures: Measures, part: number, unit: Unit, exac
 
 function sizes({ height, width, area }: Measures, unit: Unit, exact: boolean): Group {
   const length = lengthShown(unit);
-  const size = (name: string, measure: Quantity, note?: string) =>
-    quantity(name, measure, length, note, exact ? EXACT_DIGITS : SIZE_DIGITS);
+  const digits = exact ? EXACT_DIGITS : SIZE_DIGITS;
+  const size = (name: string, measure: Quantity, note?: string) => quantity(name, measure, length, note, digits);
   return {
     title: said.size,
     lines: [
       size(said.height, height),
-      ...(isRound(width)
+      ...(isRound(width, digits)
         ? [size(said.width, width.greatest, said.sameAllRound)]
         : [
             size(said.greatestWidth, width.greatest, said.across(directionWords(width.greatestDirection, HALF_TURN))),
@@ -83,9 +83,10 @@ function sizes({ height, width, area }: Measures, unit: Unit, exact: boolean): G
   };
 }
 
-/** Widths that differ by less than anyone can measure have no direction worth telling. */
-function isRound({ greatest, least }: Measures["width"]): boolean {
-  return greatest.value - least.value <= 1e-6 * greatest.value;
+/** Widths that differ by less than anyone can measure, or than is told, have no direction worth telling. */
+function isRound({ greatest, least }: Measures["width"], digits: number): boolean {
+  const [wide, narrow] = [greatest, least].map(({ value }) => formatNumber(value, digits));
+  return wide === narrow || greatest.value - least.value <= 1e-6 * greatest.value;
 }
 
 function held(measures: Measures, unit: Unit): readonly Group[] {
@@ -153,7 +154,12 @@ function standing({ centre, tipping, footprint, bottom, width }: Measures, unit:
       hullArea.value - area.value <= SAME * hullArea.value
         ? said.allTouches
         : said.touches(areaWords(area.value, unit));
-    lines.push(quantity(said.footprint, hullArea, areaShown(unit), onEdge ? said.standsOnEdge : touching));
+    const nothing = { value: 0, error: Math.max(hullArea.value, hullArea.error) };
+    lines.push(
+      onEdge
+        ? quantity(said.footprint, nothing, areaShown(unit), said.standsOnEdge)
+        : quantity(said.footprint, hullArea, areaShown(unit), touching),
+    );
   }
   const tips = (name: string, tip: Measures["tipping"]["empty"], heavyAt: { readonly at: Triple } | null) => {
     if (!tip) return;
