@@ -2,7 +2,7 @@
 
 import { parseAmount, type Typed } from "../number";
 
-/** Millilitres; ounces, pints and gallons are those of the United States. */
+/** Millilitres; ounces, pints, quarts and gallons are those of the United States. */
 const MILLILITRES: Readonly<Record<string, number>> = {
   ml: 1,
   cl: 10,
@@ -10,11 +10,12 @@ const MILLILITRES: Readonly<Record<string, number>> = {
   l: 1000,
   "fl oz": 29.5735295625,
   pt: 473.176473,
+  qt: 946.352946,
   gal: 3785.411784,
 };
 
 const VOLUME =
-  /^(.*?)(millilit(?:er|re)s?|lit(?:er|re)s?|(?:fl\.?|fluid)\s*(?:oz\.?|ounces?)|oz\.?|ounces?|pints?|pt\.?|gallons?|gal\.?|ml|cl|dl|l)?$/i;
+  /^(.*?)(millilit(?:er|re)s?|lit(?:er|re)s?|(?:fl\.?|fluid)\s*(?:oz\.?|ounces?)|oz\.?|ounces?|pints?|pt\.?|quarts?|qt\.?|gallons?|gal\.?|ml|cl|dl|l)?$/i;
 
 /** Reads a typed volume in millilitres; a number alone is in `unit` (`ml` or `l`). */
 export function parseVolume(text: string, unit: "ml" | "l"): Typed {
@@ -29,6 +30,7 @@ function volumeUnitOf(word: string): string {
   if (word in MILLILITRES) return word;
   if (/oz|ounce/.test(word)) return "fl oz";
   if (word.startsWith("p")) return "pt";
+  if (word.startsWith("q")) return "qt";
   if (word.startsWith("g")) return "gal";
   return word.startsWith("m") ? "ml" : "l";
 }
