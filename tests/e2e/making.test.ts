@@ -230,3 +230,27 @@ test("a wall that has to be thinned keeps its thickness with a round inside, by 
   await pot.undo();
   await told.waitFor();
 });
+
+test("what is told for ears alone makes the dialogue no longer than it is seen", async () => {
+  const pot = await here.enter({ viewport: { width: 390, height: 500 } });
+  const jar = await pot.fingerprint();
+  const cup = (object: number) => ({
+    shape: { kind: "second-order", r: [3, 0, 2, 0], t: [0, 0], height: 5 },
+    wall: { thickness: 0.03, base: 0.03 },
+    object,
+    place: { shift: [8 * object, 0, 0] },
+  });
+  await pot.dropFile("cups.json", JSON.stringify({ pasu: 1, parts: [0, 1, 2, 3].map(cup) }));
+  await pot.fingerprintOtherThan(jar);
+  await pot.command("Export");
+  const dialog = pot.page.locator("pasu-dialog dialog");
+  await pot.page.getByText("True to within").waitFor();
+  const [body, beyond] = await dialog.evaluate((element) => {
+    const scrolled = element.querySelector(".body") as HTMLElement;
+    scrolled.scrollTop = 10_000;
+    element.scrollTop = 10_000;
+    return [scrolled.scrollTop, element.scrollTop];
+  });
+  expect(body).toBeGreaterThan(100);
+  expect(beyond).toBe(0);
+});

@@ -99,6 +99,8 @@ export class PasuDialog extends LitElement {
         font: 600 1.22rem var(--font-brand);
       }
       .body {
+        /* What is for ears alone scrolls along, and does not make the dialog itself longer than it is. */
+        position: relative;
         overflow: auto;
         padding: 2px 22px 18px;
         overscroll-behavior: contain;
