@@ -89,11 +89,11 @@ test("a solid has no inside to be glazed, and one that was glazed there can be t
   const jar = await pot.fingerprint();
   const inside = pot.page.getByLabel("Glaze inside", { exact: true });
   await pot.tab("Look");
-  expect(await inside.count()).toBe(1);
+  await inside.waitFor();
   await pot.dropFile("octant.json", octant(""));
   const plain = await pot.fingerprintOtherThan(jar);
   await pot.page.getByText("Celadon", { exact: true }).first().waitFor();
-  expect(await inside.count()).toBe(0);
+  await expect.poll(() => inside.count()).toBe(0);
   await pot.dropFile("glazed.json", octant(`, "look": { "inside": "cobalt" }`));
   await inside.waitFor();
   expect(await inside.inputValue()).toBe("cobalt");
