@@ -55,7 +55,7 @@ export class PasuScan extends DesignerElement {
   @state() private levels: Levels | null = null;
   /** What the faces of the file are besides, if they are patches. */
   @state() private network: { readonly file: File; readonly network: Network } | null = null;
-  /** Why they are none, where they seem to be meant as such. */
+  /** Why they are none, where they seem to be meant as such: told where the file is no scan either. */
   @state() private unpatched = "";
   private readonly rings = new Seeking<ScannedShape>(this, PAUSE_MS);
   private triangles: Float32Array | null = null;
@@ -94,8 +94,7 @@ export class PasuScan extends DesignerElement {
       <p class="lead">${words.lead}</p>
       <button class="button outlined" type="button" ?disabled=${this.busy} @click=${this.pick}>${icon("open")}<span>${words.file}</span></button>
       ${this.file ? html`<p class="hint">${words.undesigned(page.quoted(isolated(this.file.name)))}</p>` : nothing}
-      ${this.trouble === "" ? nothing : html`<p class="trouble" role="alert">${this.trouble}</p>`}
-      ${this.trouble !== "" && this.unpatched !== "" ? html`<p class="hint">${this.unpatched}</p>` : nothing}
+      ${this.trouble === "" ? nothing : html`<p class="trouble" role="alert">${this.trouble} ${this.unpatched}</p>`}
       ${
         this.network
           ? html`<p class="hint">${words.patches}</p>
