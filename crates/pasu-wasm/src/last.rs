@@ -5,6 +5,8 @@ use std::rc::Rc;
 
 use pasu::{Design, Result, Solution};
 
+use crate::room;
+
 thread_local! {
     static LAST: RefCell<Option<Last>> = const { RefCell::new(None) };
 }
@@ -34,6 +36,7 @@ pub(crate) fn solution(design: &Design) -> Rc<Solution> {
     LAST.with_borrow_mut(|last| match last {
         Some(known) if known.solution.design() == design => Rc::clone(&known.solution),
         _ => {
+            room::keep();
             let next = last.as_ref().map_or_else(|| Solution::of(design), |known| known.solution.after(design));
             let solution = Rc::new(next);
             *last = Some(Last::of(Rc::clone(&solution)));

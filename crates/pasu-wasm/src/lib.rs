@@ -27,6 +27,7 @@ mod plain;
 mod points;
 #[cfg(feature = "making")]
 mod pull;
+mod room;
 #[cfg(feature = "making")]
 mod scan;
 #[cfg(feature = "making")]

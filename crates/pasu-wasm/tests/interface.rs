@@ -33,6 +33,19 @@ fn a_design_comes_as_text_as_object_and_as_link() {
 }
 
 #[wasm_bindgen_test]
+fn memory_is_there_before_it_is_wanted() {
+    let pages = core::arch::wasm32::memory_size::<0>;
+    fingerprint(&DINT_VASE.into()).expect("a hash");
+    let before = pages();
+    // What is asked for beforehand, and more than the tests themselves take.
+    assert!(before >= if cfg!(feature = "making") { 1024 } else { 64 }, "{before}");
+    for n1 in 2..60 {
+        fingerprint(&DINT_VASE.replace(r#""n1": 5"#, &format!(r#""n1": {n1}"#)).as_str().into()).expect("a hash");
+    }
+    assert_eq!(pages(), before);
+}
+
+#[wasm_bindgen_test]
 fn a_mesh_is_typed_arrays_of_the_grid_that_was_asked_for() {
     let made = mesh(&DINT_VASE.into(), &js(r#"{ "rows": 5, "columns": 9 }"#), &JsValue::UNDEFINED).expect("a mesh");
     let field = |name: &str| Reflect::get(&made, &name.into()).expect("a field");

@@ -189,6 +189,11 @@ impl Design {
         Design(Document { parts, ..self.0.clone() }, Extent::Unknown)
     }
 
+    /// A design of one part in the unit of this one.
+    pub(crate) fn of_one(&self, part: Part) -> Design {
+        Design(Document { pasu: VERSION, title: None, unit: self.0.unit, parts: vec![part] }, Extent::Unknown)
+    }
+
     /// The design of these parts, of which there are no more than may be.
     ///
     /// # Errors

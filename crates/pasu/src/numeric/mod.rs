@@ -17,6 +17,7 @@ pub(crate) mod illinois;
 pub(crate) mod integral;
 pub(crate) mod limit;
 pub(crate) mod minima;
+pub(crate) mod recent;
 pub(crate) mod romberg;
 pub(crate) mod scattered;
 pub(crate) mod signed_sets;

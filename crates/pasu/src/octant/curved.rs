@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::climb::{Climb, Share, power};
+use crate::numeric::recent::Recent;
 use crate::patch::{Breaks, Cell, Columns, Patch, Row, ShowCell, Side, Spread, Suprema, SurfaceJet};
 
 /// `X(u, v)` on `x^a + y^b + z^c = 1`: `u` from the tip `z = 1` to the plane `z = 0`, `v` from the plane `x = 0` to the plane `y = 0`.
@@ -17,7 +18,13 @@ pub(super) struct Curved {
     along: [Climb; 3],
     /// What `x` and `y` are round `v`.
     across: [Climb; 2],
+    /// Cells that are halved again and again have few lines between them.
+    strips: Recent<Strip, 2>,
+    sectors: Recent<Sector, 2>,
 }
+
+/// How many strips and sectors are kept.
+const KEPT: usize = 64;
 
 impl Curved {
     pub(super) fn new(exponents: [f64; 3]) -> Curved {
@@ -30,6 +37,8 @@ impl Curved {
             round,
             along: [down.rising(a), down.rising(b), down.falling(c)],
             across: [round.rising(a), round.falling(b)],
+            strips: Recent::default(),
+            sectors: Recent::default(),
         }
     }
 
@@ -75,12 +84,14 @@ impl Curved {
 }
 
 /// Suprema of `x`, `y` and `z` along `u` and of their derivatives, and what they are at both ends.
+#[derive(Debug, Clone, Copy)]
 struct Strip {
     suprema: [[f64; 3]; 3],
     ends: [[f64; 2]; 3],
 }
 
 /// The same of `x` and `y` round `v`.
+#[derive(Debug, Clone, Copy)]
 struct Sector {
     suprema: [[f64; 3]; 2],
     ends: [[f64; 2]; 2],
@@ -173,7 +184,9 @@ impl Patch for Curved {
     }
 
     fn enclosed(&self, cell: Cell, stretch: [f64; 3]) -> (Suprema, f64) {
-        enclosed(&self.strip(cell.u), &self.sector(cell.v), cell.lengths(), stretch)
+        let strip = self.strips.at(cell.u, KEPT, || self.strip(cell.u));
+        let sector = self.sectors.at(cell.v, KEPT, || self.sector(cell.v));
+        enclosed(&strip, &sector, cell.lengths(), stretch)
     }
 
     fn shows_cells(&self, [u, v]: [&[f64]; 2], stretch: [f64; 3], show: &mut ShowCell) -> bool {

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::still::Motion;
 use crate::face::{Face, FaceKind};
 use crate::patch::{Breaks, Cell, Side};
 use crate::solid::Pot;
@@ -24,8 +25,8 @@ const COLUMNS: (f64, f64) = (12.0, 96.0);
 pub(super) enum Border {
     /// A patch, of which bounds are proved.
     Patch { placed: Arc<Placed>, patch: usize, stretch: [f64; 3] },
-    /// A face of a wall, of which they are measured.
-    Face { pot: Arc<Pot>, face: usize },
+    /// A face of a wall, of which they are measured; the wall is found before it is turned and moved.
+    Face { pot: Arc<Pot>, face: usize, motion: Motion },
 }
 
 /// Position and first derivatives.
@@ -57,7 +58,8 @@ impl Border {
 
     /// Every face of a pot.
     pub(super) fn faces(pot: &Arc<Pot>) -> Vec<Border> {
-        (0..pot.faces().len()).map(|face| Border::Face { pot: Arc::clone(pot), face }).collect()
+        let faces = 0..pot.faces().len();
+        faces.map(|face| Border::Face { pot: Arc::clone(pot), face, motion: Motion::NONE }).collect()
     }
 
     pub(super) fn jet(&self, u: f64, v: f64) -> Jet {
@@ -66,9 +68,10 @@ impl Border {
                 let jet = placed.place(&placed.solved().patch(*patch).jet(u, v));
                 Jet { position: jet.position, du: jet.du, dv: jet.dv }
             }
-            Border::Face { pot, face } => {
+            Border::Face { pot, face, motion } => {
                 let jet = pot.faces()[*face].jet(u, v * TAU);
-                Jet { position: jet.position, du: jet.da, dv: jet.dv * TAU }
+                let du = motion.vector(jet.da);
+                Jet { position: motion.point(jet.position), du, dv: motion.vector(jet.dv * TAU) }
             }
         }
     }
@@ -98,7 +101,7 @@ impl Border {
     pub(super) fn is_straight(&self) -> bool {
         match self {
             Border::Patch { .. } => false,
-            Border::Face { pot, face } => pot.faces()[*face].is_straight(),
+            Border::Face { pot, face, .. } => pot.faces()[*face].is_straight(),
         }
     }
 
@@ -106,7 +109,7 @@ impl Border {
     pub(super) fn kind(&self) -> Option<FaceKind> {
         match self {
             Border::Patch { .. } => None,
-            Border::Face { pot, face } => Some(pot.faces()[*face].kind()),
+            Border::Face { pot, face, .. } => Some(pot.faces()[*face].kind()),
         }
     }
 
@@ -121,7 +124,7 @@ impl Border {
                     -1.0
                 }
             }
-            Border::Face { pot, face } => pot.faces()[*face].outward(),
+            Border::Face { pot, face, .. } => pot.faces()[*face].outward(),
         };
         let beside = |x: f64, by: f64| if x < 0.5 { x + by } else { x - by };
         let products = BESIDE.into_iter().map(|by| {
@@ -142,7 +145,7 @@ impl Border {
                 let least = |side: usize| if sides[side] == Side::Joined { LEAST_ROUND } else { 1 };
                 [lines(&along, least(0)), lines(&round, least(2))]
             }
-            Border::Face { pot, face } => {
+            Border::Face { pot, face, .. } => {
                 let piece = &pot.faces()[*face];
                 // What runs straight or in an arc from one curve to another needs few rows.
                 let rows = if piece.is_straight() { 1 } else { 6 };

@@ -7,13 +7,12 @@ use core::ops::ControlFlow;
 
 use glam::{DMat2, DVec2, DVec3};
 
-use super::border::Border;
 use super::space::{Space, TILE};
 use super::tile::Tile;
 use crate::watch;
 
 /// The most tiles that one ray is held against in one part. A ray that goes along a border may meet any number of them.
-pub(super) const MOST: usize = 40_000;
+const MOST: usize = 40_000;
 
 /// What is nearer to the ray than this part of the largest number of the scene is on it.
 const ON_RAY: f64 = 4e-15;
@@ -58,10 +57,12 @@ pub(super) struct Crossings {
     pub(super) is_clear: bool,
     /// Whether there were too many tiles, so that some places may not be told.
     pub(super) is_cut: bool,
+    /// How many tiles the ray was held against.
+    pub(super) n_tiles: u64,
 }
 
 struct Ray<'a> {
-    borders: &'a [Border],
+    space: &'a Space,
     origin: DVec3,
     direction: DVec3,
     /// Two axes across it.
@@ -76,7 +77,7 @@ impl Space {
     pub(super) fn crossings(&self, origin: DVec3, direction: DVec3) -> Crossings {
         let mut crossings = match self.octant() {
             Some(_) => self.octant_crossings(origin, direction),
-            None => self.tile_crossings(origin, direction),
+            None => self.moved_crossings(origin, direction),
         };
         crossings.found.sort_by(|one, other| one.t.total_cmp(&other.t));
         // A seam belongs to the tiles on both sides, an edge to both borders.
@@ -98,21 +99,31 @@ impl Space {
                 position: origin + through.t * direction,
                 is_out: index % 2 == 1,
             });
-        Crossings { found: found.collect(), is_clear: true, is_cut: false }
+        Crossings { found: found.collect(), is_clear: true, is_cut: false, n_tiles: 0 }
     }
 
-    fn tile_crossings(&self, origin: DVec3, direction: DVec3) -> Crossings {
+    /// The crossings of what is turned and moved, by those of what it is before.
+    fn moved_crossings(&self, origin: DVec3, direction: DVec3) -> Crossings {
+        let largest = self.bounds.low.abs().max(self.bounds.high.abs()).max(origin.abs()).max_element();
+        let Some((still, motion)) = self.still() else { return self.tile_crossings(origin, direction, largest) };
+        let (from, along) = (motion.point_before(origin), motion.vector_before(direction));
+        let mut crossings = still.tile_crossings(from, along, largest);
+        crossings.found.iter_mut().for_each(|crossing| crossing.position = motion.point(crossing.position));
+        crossings
+    }
+
+    /// What is nearer to the ray than rounding of `largest` is on it.
+    fn tile_crossings(&self, origin: DVec3, direction: DVec3, largest: f64) -> Crossings {
         let (one, other) = direction.any_orthonormal_pair();
         let tiles = self.tiles();
-        let largest = self.bounds.low.abs().max(self.bounds.high.abs()).max(origin.abs()).max_element();
         let mut ray = Ray {
-            borders: &self.borders,
+            space: self,
             origin,
             direction,
             across: [one, other],
             size: self.size(),
             n_left: MOST,
-            crossings: Crossings { found: Vec::new(), is_clear: true, is_cut: false },
+            crossings: Crossings { found: Vec::new(), is_clear: true, is_cut: false, n_tiles: 0 },
         };
         let (inverse, on_ray) = (direction.recip(), ON_RAY * largest);
         let mut is_over = false;
@@ -123,6 +134,7 @@ impl Space {
         if is_over {
             (ray.crossings.is_clear, ray.crossings.is_cut) = (false, true);
         }
+        ray.crossings.n_tiles = (MOST - ray.n_left) as u64;
         ray.crossings
     }
 }
@@ -144,7 +156,7 @@ impl Ray<'_> {
             if distance_to_origin(&corners) > tile.deviation + on_ray || self.is_behind(&tile) {
                 continue;
             }
-            let jet = tile.middle_jet(self.borders);
+            let jet = tile.middle_jet(&self.space.borders);
             let [p, q] = tile.cell.lengths();
             let [along, round] = [jet.du * p, jet.dv * q];
             let matrix = DMat2::from_cols(self.project(along), self.project(round));
@@ -168,7 +180,7 @@ impl Ray<'_> {
                 self.crossings.is_clear = false;
                 continue;
             }
-            match tile.halves(self.borders) {
+            match self.space.halvings.of(&tile, &self.space.borders) {
                 Some(halves) => open.extend(halves),
                 None => self.crossings.is_clear = false,
             }
@@ -184,7 +196,7 @@ impl Ray<'_> {
     /// The one place of a tile that is on the ray, if it has one: steps are kept within the tile, which brings them no further from it.
     fn newton(&mut self, tile: &Tile, matrix: DMat2, on_ray: f64) {
         let ([u0, u1], [v0, v1]) = (tile.cell.u, tile.cell.v);
-        let border = &self.borders[tile.border];
+        let border = &self.space.borders[tile.border];
         let miss = |at: DVec2| {
             let jet = border.jet(u0 + (u1 - u0) * at.x, v0 + (v1 - v0) * at.y);
             let matrix = DMat2::from_cols(self.project(jet.du * (u1 - u0)), self.project(jet.dv * (v1 - v0)));
@@ -220,7 +232,7 @@ impl Ray<'_> {
     }
 
     fn push(&mut self, tile: &Tile, u: f64, v: f64) {
-        let border = &self.borders[tile.border];
+        let border = &self.space.borders[tile.border];
         let position = border.jet(u, v).position;
         let t = (position - self.origin).dot(self.direction);
         if t < 0.0 {

@@ -111,8 +111,11 @@ impl Space {
         -self.corners_reach(axis) - other.corners_reach(-axis)
     }
 
-    /// How far the corners of its tiles reach in a direction.
+    /// How far the corners of its tiles reach in a direction; all of an octant, which needs no tiles for that.
     pub(super) fn corners_reach(&self, direction: DVec3) -> f64 {
+        if let Some((most, _)) = self.reach_by_formula(direction) {
+            return most;
+        }
         let corners = self.tiles().all.iter().flat_map(|tile| tile.corners);
         corners.map(|corner| corner.dot(direction)).fold(f64::NEG_INFINITY, f64::max)
     }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::budget::Budget;
-use super::crossings::{Crossings, MOST, SAME};
+use super::crossings::{Crossings, SAME};
 use super::space::Space;
 
 /// Directions in which the border is counted: no two alike, none along an axis, and always the same.
@@ -26,27 +26,31 @@ const DIRECTIONS: [[f64; 3]; 12] = [
 const AGREEING: usize = 3;
 
 /// Where so many rays from one place met too many tiles each, so will the next, which nobody waits for who has many places to ask.
-const MOST_CUT: u64 = 2;
+const MOST_CUT: usize = 2;
+
+/// So many tiles that a ray meets count as one pair of tiles.
+const TILES: u64 = 3;
 
 impl Space {
     /// Whether the part holds a point, its border included to within 1e-9 of its size; `None` where no ray from there tells. What is no solid holds nothing.
     ///
     /// The border is counted along a ray: a point inside of a body leaves it last, and enters and leaves it by turns before. A ray that meets an edge, a tip, or the border along itself tells nothing, and the next one is asked.
     pub(super) fn holds(&self, at: DVec3) -> Option<bool> {
-        self.told(at, u64::MAX).0
+        self.told(at, usize::MAX).0
     }
 
-    /// The same of one of many places, which all have one budget: what rays of too many tiles take beyond what asking counts for is taken from it.
+    /// The same of one of many places, which all have one budget: what rays take beyond what asking counts for is taken from it.
     pub(super) fn holds_within(&self, at: DVec3, budget: &mut Budget) -> Option<bool> {
-        let (held, n_cut) = self.told(at, MOST_CUT);
-        if n_cut > 0 {
-            budget.take(n_cut * MOST as u64);
+        let (held, n_tiles) = self.told(at, MOST_CUT);
+        let beyond = (n_tiles / TILES).saturating_sub(self.asked_for());
+        if beyond > 0 {
+            budget.take(beyond);
         }
         held
     }
 
-    /// Whether it holds a point, by rays until so many of them met too many tiles, and how many did.
-    fn told(&self, at: DVec3, most_cut: u64) -> (Option<bool>, u64) {
+    /// Whether it holds a point, by rays until so many of them met too many tiles, and how many tiles they met.
+    fn told(&self, at: DVec3, most_cut: usize) -> (Option<bool>, u64) {
         if !self.is_solid || !self.bounds.holds(at) {
             return (Some(false), 0);
         }
@@ -54,14 +58,15 @@ impl Space {
             return (Some(octant.holds(self.own(at))), 0);
         }
         let mut counts: Vec<i64> = Vec::new();
-        let mut n_cut = 0;
+        let (mut n_cut, mut n_tiles) = (0, 0);
         for direction in DIRECTIONS {
             let direction = DVec3::from_array(direction).normalize_or(DVec3::Z);
             let crossings = self.crossings(at, direction);
-            n_cut += u64::from(crossings.is_cut);
+            n_cut += usize::from(crossings.is_cut);
+            n_tiles += crossings.n_tiles;
             // On the border itself.
             if crossings.found.iter().any(|crossing| crossing.t <= SAME * self.size()) {
-                return (Some(true), n_cut);
+                return (Some(true), n_tiles);
             }
             if n_cut >= most_cut {
                 break;
@@ -73,14 +78,14 @@ impl Space {
             let is_by_turns =
                 found.iter().rev().enumerate().all(|(index, crossing)| crossing.is_out == (index % 2 == 0));
             if is_by_turns {
-                return (Some(found.len() % 2 == 1), n_cut);
+                return (Some(found.len() % 2 == 1), n_tiles);
             }
             counts.push(found.iter().map(|crossing| if crossing.is_out { 1 } else { -1 }).sum());
             if counts.len() == AGREEING {
                 let count = counts[0];
-                return (counts.iter().all(|other| *other == count).then_some(count != 0), n_cut);
+                return (counts.iter().all(|other| *other == count).then_some(count != 0), n_tiles);
             }
         }
-        (None, n_cut)
+        (None, n_tiles)
     }
 }

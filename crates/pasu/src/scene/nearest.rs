@@ -48,6 +48,10 @@ impl Space {
 
     /// The same; a place that is known to be further than `enough` at least, or no further at most, is near enough.
     pub(super) fn nearest_within(&self, point: DVec3, enough: f64) -> Nearest {
+        if let Some((still, motion)) = self.still() {
+            let nearest = still.nearest_within(motion.point_before(point), enough);
+            return Nearest { position: motion.point(nearest.position), ..nearest };
+        }
         let mut best = Nearest {
             border: 0,
             u: 0.0,
@@ -114,7 +118,7 @@ impl Space {
                 What::Tile(tile) => {
                     n_left -= 1;
                     watch::work(2 * TILE);
-                    match tile.halves(&self.borders) {
+                    match self.halvings.of(&tile, &self.borders) {
                         Some(halves) => halves.into_iter().for_each(look),
                         None => return best,
                     }

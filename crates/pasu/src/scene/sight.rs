@@ -5,27 +5,14 @@
 
 use std::sync::{Arc, OnceLock};
 
-use glam::{DMat3, DVec3};
-
-use super::border::Border;
 use super::bounds::Bounds;
 use super::boxes::Boxes;
-use super::space::{Space, tiled};
-use super::tile::Tile;
-use crate::design::{Part, Wall};
+use super::space::Space;
+use super::still::Motion;
+use crate::design::Part;
 use crate::error::Result;
-use crate::solid::Product;
-use crate::solution::{Placed, Solution, Upright};
+use crate::solution::Solution;
 use crate::watch;
-
-/// The most tiles by which a surface is enclosed where its body may not be wanted: a quarter of those that a body has.
-const FEW_TILES: usize = 128;
-
-/// So many times what a wall measures it is taken to reach. No face goes further than once.
-const MARGIN: f64 = 1.25;
-
-/// Surfaces beyond this, and those smaller than its inverse, have their bodies found at once, so that what cannot be computed with is refused whatever is asked.
-const LARGE: f64 = 1e50;
 
 /// All parts of a design, each in a box that may be wider than it has to be.
 #[derive(Debug)]
@@ -78,61 +65,19 @@ impl Solution {
     /// # Errors
     /// As [`Solution::in_space`].
     fn seen(&self, index: usize) -> Result<Seen> {
-        let (placed, (_, part)) = (self.part(index)?, self.existing(index)?);
-        let Some(wall) = &part.wall else {
+        let (_, part) = self.existing(index)?;
+        if part.wall.is_none() {
             let space = self.in_space(index)?;
             return Ok(Seen { bounds: space.bounds, surface: space.bounds, space: OnceLock::from(space) });
-        };
-        let tiles = tiled(&Border::patches(placed), FEW_TILES);
-        let surface = tiles.iter().fold(Bounds::NOTHING, |all, tile| all.with(tile.bounds()));
-        if let Some(bounds) = self.reach(index, wall, &tiles) {
+        }
+        let (still, motion) = (self.still(index)?, Motion::of(&part.place));
+        let surface = still.surface(&motion);
+        if let Some(bounds) = still.reach(&motion) {
             return Ok(Seen { bounds, surface, space: OnceLock::new() });
         }
         let space = self.in_space(index)?;
         Ok(Seen { bounds: space.bounds, surface, space: OnceLock::from(space) })
     }
-
-    /// A box round whatever body a part with a wall comes to, without finding that; `None` where the body has to be found: its reach is not known beforehand, as of one with a lining of its own.
-    ///
-    /// In the frame of the pot's own axis the clay is within the box round its surface, widened by what its wall measures. The other side of the wall is no further from the surface than it is thick; levels are off the lowest or highest point of the foot by the base
-    /// and the height of the ring; what is led to a level stays where it is across the axis; the edge of a drain is half its width from the middle, and that of a ring its width from the foot; all else is straight between two of these. Round a sharp ring, though, the other side is mitred,
-    /// and goes as far as its angle says.
-    fn reach(&self, index: usize, wall: &Wall, tiles: &[Tile]) -> Option<Bounds> {
-        let placed = self.part(index).ok()?;
-        if wall.lining.is_some() || self.has_shell(index, Product::Pot).is_ok_and(|is_shell| is_shell) {
-            return None;
-        }
-        let is_smooth = Upright::new(placed).is_some_and(|upright| upright.stretches().len() == 1);
-        let bounds = is_smooth.then(|| widened(placed, wall, tiles));
-        bounds.filter(|bounds| {
-            let most = bounds.low.abs().max(bounds.high.abs()).max_element();
-            most < LARGE && bounds.size() > 1.0 / LARGE
-        })
-    }
-}
-
-/// The box round a surface, as its axis stands, wider by what its wall measures along that and across, and the box along the axes round that.
-fn widened(placed: &Placed, wall: &Wall, tiles: &[Tile]) -> Bounds {
-    let matrix = placed.matrix();
-    // What scales, then turns.
-    let turn = DMat3::from_cols(
-        matrix.x_axis.normalize_or(DVec3::X),
-        matrix.y_axis.normalize_or(DVec3::Y),
-        matrix.z_axis.normalize_or(DVec3::Z),
-    );
-    let upright = tiles.iter().fold(Bounds::NOTHING, |all, tile| {
-        all.with(Bounds::of(&tile.corners.map(|corner| turn.transpose() * corner)).wider(tile.deviation))
-    });
-    let [width, height] = wall.foot.unwrap_or([0.0; 2]);
-    let across = wall.thickness + width + 0.5 * wall.drain;
-    let reach = MARGIN * DVec3::new(across, across, wall.thickness + wall.base + height);
-    let (low, high) = (upright.low - reach, upright.high + reach);
-    let corner = |i: usize| {
-        let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
-        turn * DVec3::new(pick(0), pick(1), pick(2))
-    };
-    let bounds = Bounds::of(&core::array::from_fn::<DVec3, 8, _>(corner));
-    bounds.wider(1e-14 * bounds.low.abs().max(bounds.high.abs()).max_element())
 }
 
 impl Sight {
@@ -201,6 +146,7 @@ impl Sight {
 mod tests {
     use super::*;
     use crate::design::Design;
+    use crate::solid::Product;
 
     /// Of every pot of a scene the box that is laid round it beforehand, and how many have one; each holds all of the clay.
     fn held(parts: &str) -> usize {

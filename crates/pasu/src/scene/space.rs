@@ -8,8 +8,11 @@ use glam::{DMat3, DVec3};
 use super::border::Border;
 use super::bounds::Bounds;
 use super::boxes::Boxes;
+use super::halvings::Halvings;
 use super::meridian::Meridian;
+use super::still::Motion;
 use super::tile::Tile;
+use crate::design::Placement;
 use crate::error::{Code, Error, Result};
 use crate::octant::Supersphere;
 use crate::solid::Product;
@@ -36,10 +39,13 @@ pub(super) struct Space {
     /// Whether the border goes round an inside.
     pub(super) is_solid: bool,
     placed: Arc<Placed>,
+    /// What it is before it is turned and moved, and how it is; `None` of what is not.
+    still: Option<(Arc<Space>, Motion)>,
     /// Of an octant, its frame.
     inverse: Option<DMat3>,
     pub(super) bounds: Bounds,
     tiles: OnceLock<Tiles>,
+    pub(super) halvings: Halvings,
     core: OnceLock<Option<DVec3>>,
     /// Places of the border of an octant, far from each other.
     pub(super) places: OnceLock<Vec<DVec3>>,
@@ -57,32 +63,23 @@ impl Space {
     fn new(solution: &Solution, part: usize) -> Result<Space> {
         let placed = Arc::clone(solution.part(part)?);
         let (_, of) = solution.existing(part)?;
-        let shell = match solution.has_shell(part, Product::Pot) {
-            Ok(true) => solution.patched(part, Product::Pot).ok(),
-            _ => None,
-        };
-        let pot = match of.wall {
-            // What cannot be made is there all the same: as the surface that is seen of it.
-            Some(_) if shell.is_some() => None,
-            Some(_) => solution.pot(part, Product::Pot).ok().map(Arc::new),
-            None => None,
+        let still = solution.space_before(part)?.map(|still| (still, Motion::of(&of.place)));
+        watch::go_on()?;
+        let (borders, is_solid) = match &still {
+            Some((still, motion)) => (still.moved_borders(&placed, &of.place, motion), still.is_solid),
+            None => bordered(solution, part, &placed, of.wall.is_some()),
         };
         watch::go_on()?;
-        let (borders, is_solid) = match &pot {
-            Some(pot) => (Border::faces(pot), true),
-            None => {
-                let patches = shell.as_ref().unwrap_or(&placed);
-                (Border::patches(patches), patches.solved().is_closed())
-            }
-        };
         let mut space = Space {
             part,
             borders,
             is_solid,
             inverse: placed.solved().octant().map(|_| placed.matrix().inverse()),
             placed,
+            still,
             bounds: Bounds::NOTHING,
             tiles: OnceLock::new(),
+            halvings: Halvings::default(),
             core: OnceLock::new(),
             places: OnceLock::new(),
             meridian: OnceLock::new(),
@@ -110,6 +107,28 @@ impl Space {
             return Err(if size.is_finite() { error.with("found", size) } else { error });
         }
         Ok(space)
+    }
+
+    /// The border of a part that is this one, turned and moved.
+    fn moved_borders(&self, placed: &Arc<Placed>, place: &Placement, motion: &Motion) -> Vec<Border> {
+        let mut shell: Option<Arc<Placed>> = None;
+        let moved = self.borders.iter().map(|border| match border {
+            Border::Face { pot, face, .. } => Border::Face { pot: Arc::clone(pot), face: *face, motion: *motion },
+            Border::Patch { placed: still, patch, stretch } => {
+                let placed = match Arc::ptr_eq(still, &self.placed) {
+                    true => placed,
+                    // Of an open network with a thickness the patches are those of a network of its own.
+                    false => shell.get_or_insert_with(|| Arc::new(still.elsewhere(place, placed.index()))),
+                };
+                Border::Patch { placed: Arc::clone(placed), patch: *patch, stretch: *stretch }
+            }
+        });
+        moved.collect()
+    }
+
+    /// What it is before it is turned and moved, and how it is; `None` of what is not.
+    pub(super) fn still(&self) -> Option<(&Space, &Motion)> {
+        self.still.as_ref().map(|(still, motion)| (&**still, motion))
     }
 
     /// The octant that it is, if it is one.
@@ -158,7 +177,10 @@ impl Space {
     /// The tiles of its border, made when they are first asked for.
     pub(super) fn tiles(&self) -> &Tiles {
         self.tiles.get_or_init(|| {
-            let all = tiled(&self.borders, MOST_TILES);
+            let all = match &self.still {
+                Some((still, motion)) => still.tiles().all.iter().map(|tile| tile.moved(motion)).collect(),
+                None => tiled(&self.borders, MOST_TILES),
+            };
             let bounds: Vec<Bounds> = all.iter().map(Tile::bounds).collect();
             Tiles { boxes: Boxes::new(&bounds), all }
         })
@@ -178,7 +200,10 @@ impl Space {
             }
             let at = match self.octant() {
                 Some(octant) => self.placed_point(octant.core()),
-                None => self.deep()?,
+                None => match &self.still {
+                    Some((still, motion)) => motion.point(still.core()?),
+                    None => self.deep()?,
+                },
             };
             (self.holds(at) == Some(true)).then_some(at)
         })
@@ -203,6 +228,21 @@ impl Space {
         });
         deepest.map(|(_, at)| at)
     }
+}
+
+/// The border of a part where it stands, and whether that goes round an inside.
+fn bordered(solution: &Solution, part: usize, placed: &Arc<Placed>, has_wall: bool) -> (Vec<Border>, bool) {
+    let shell = match solution.has_shell(part, Product::Pot) {
+        Ok(true) => solution.patched(part, Product::Pot).ok(),
+        _ => None,
+    };
+    // What cannot be made is there all the same: as the surface that is seen of it.
+    let pot = (has_wall && shell.is_none()).then(|| solution.pot(part, Product::Pot).ok()).flatten();
+    if let Some(pot) = pot {
+        return (Border::faces(&Arc::new(pot)), true);
+    }
+    let patches = shell.as_ref().unwrap_or(placed);
+    (Border::patches(patches), patches.solved().is_closed())
 }
 
 /// The tiles of a border, halved until they are near enough, or there are as many as there may be.

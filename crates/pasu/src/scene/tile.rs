@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::border::{Beyond, Border, Jet};
 use super::bounds::Bounds;
+use super::still::Motion;
 use crate::numeric::triangle::Triangle;
 use crate::patch::Cell;
 
@@ -52,6 +53,19 @@ impl Tile {
         let is_along = bends.filter(|[along, round]| along != round).map(|[along, round]| along > round);
         // What is no number is no bound.
         if by < self.deviation { (by, is_along) } else { (self.deviation, is_along) }
+    }
+
+    /// The same tile of what is turned, then moved: how it bends stays as it was.
+    pub(super) fn moved(&self, motion: &Motion) -> Tile {
+        if *motion == Motion::NONE {
+            return *self;
+        }
+        let corners = self.corners.map(|corner| motion.point(corner));
+        let far =
+            |corners: [DVec3; 4]| corners.iter().fold(0.0f64, |most, corner| most.max(corner.abs().max_element()));
+        // Corners are those of the moved border to rounding, before it was moved and after.
+        let deviation = self.deviation + 2.0 * ROUNDING * (far(corners) + far(self.corners));
+        Tile { corners, deviation, ..*self }
     }
 
     pub(super) fn bounds(&self) -> Bounds {

@@ -53,6 +53,11 @@ impl Placed {
         Placed { solved, matrix, shift, index, is_forwards: OnceLock::new() }
     }
 
+    /// The same shape in another place, as part number `index` of another design.
+    pub(crate) fn elsewhere(&self, place: &Placement, index: usize) -> Placed {
+        Placed::of(self.shared(), place, index)
+    }
+
     /// Another shape where this one stands.
     pub(crate) fn beside(&self, solved: Solved) -> Placed {
         let Placed { matrix, shift, index, .. } = *self;

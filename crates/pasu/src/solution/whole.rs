@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use super::kept::Kept;
 use super::placed::Placed;
 use super::solved::Solved;
-use crate::design::{Design, Part, numbers_of};
+use crate::design::{Design, Part, Placement, numbers_of};
 use crate::error::{Code, Error, Result};
 
 /// A design with the closed form of its parts. Each part is solved when something is first asked of it, and never again, however much is asked; so is the body that is made of it settled once.
@@ -37,6 +37,9 @@ pub struct Solution {
     /// The same of a design before.
     scene_before: Kept,
     scene_seen_before: Kept,
+    /// What they are before they are turned and moved, and those of a design before.
+    still: Kept,
+    still_before: Kept,
     /// What its parts were joined to, which those who join them know.
     joined: Kept,
     /// What its parts were made as, which those who make them know, and those of a design before.
@@ -61,6 +64,8 @@ impl Solution {
             scene_seen: Kept::default(),
             scene_before: Kept::default(),
             scene_seen_before: Kept::default(),
+            still: Kept::default(),
+            still_before: Kept::default(),
             joined: Kept::default(),
             made: Kept::default(),
             made_before: Kept::default(),
@@ -84,6 +89,7 @@ impl Solution {
         solution.scene_before = if self.scene.is_empty() { &self.scene_before } else { &self.scene }.clone();
         solution.scene_seen_before =
             if self.scene_seen.is_empty() { &self.scene_seen_before } else { &self.scene_seen }.clone();
+        solution.still_before = if self.still.is_empty() { &self.still_before } else { &self.still }.clone();
         solution.made_before = if self.made.is_empty() { &self.made_before } else { &self.made }.clone();
         for (index, part) in design.parts().iter().enumerate() {
             let stands = |own: &&Part| own.place == part.place && own.wall == part.wall && own.shape == part.shape;
@@ -171,6 +177,23 @@ impl Solution {
     /// Where what the parts of a design before were together was kept, if anything was.
     pub(crate) fn scene_before(&self) -> &Kept {
         &self.scene_before
+    }
+
+    /// Where what parts are before they are turned and moved is kept, and where that of the parts of a design before was, if it was.
+    pub(crate) fn still_parts(&self) -> [&Kept; 2] {
+        [&self.still, &self.still_before]
+    }
+
+    /// A part by itself, scaled, but neither turned nor moved; its shape is not solved again.
+    ///
+    /// # Errors
+    /// As [`Solution::part`].
+    pub(crate) fn alone(&self, index: usize) -> Result<Solution> {
+        let (placed, (_, part)) = (self.part(index)?, self.existing(index)?);
+        let place = Placement { scale: part.place.scale, ..Placement::default() };
+        let mut alone = Solution::of(&self.design.of_one(Part { place, ..part.clone() }));
+        alone.parts = vec![OnceLock::from(Ok(Arc::new(Placed::of(placed.shared(), &place, 0))))];
+        Ok(alone)
     }
 
     /// Where what the parts were joined to is kept.

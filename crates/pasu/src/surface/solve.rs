@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::circle::{self, MOST_MULTIPLES, most_of_many, multiples};
 use super::ends::Ends;
-use super::recent::{KeptRow, Recent};
+use super::recent::{KeptRow, RecentRows};
 use super::row_table::RowTable;
 use super::term::Term;
 use crate::design::{Axis, BoundaryValue, Component, Datum, Part, Shape, Span, plain};
@@ -26,7 +26,7 @@ pub struct Surface {
     /// Where these are so many that their cosines are found one from the other: the largest.
     most_turns: Option<usize>,
     ends: Ends,
-    recent: Recent,
+    recent: RecentRows,
 }
 
 impl Span {
@@ -159,7 +159,7 @@ impl Surface {
             distinct,
             most_turns,
             ends: Ends::default(),
-            recent: Recent::default(),
+            recent: RecentRows::default(),
         })
     }
 
@@ -253,7 +253,7 @@ impl Surface {
     /// The coefficients at `u`; those at an end are made once, others again where they were not asked for lately.
     pub(super) fn row_table(&self, u: f64) -> KeptRow<'_> {
         let make = || RowTable::at(&self.components, u);
-        self.ends.at(u, make).map_or_else(|| KeptRow::Recent(self.recent.at(u, self.n_terms(), make)), KeptRow::End)
+        self.ends.at(u, make).map_or_else(|| KeptRow::Recent(self.recent.row(u, self.n_terms(), make)), KeptRow::End)
     }
 
     /// The coefficients at `u` by the closed form between two rings or ends, which goes on beyond them.
