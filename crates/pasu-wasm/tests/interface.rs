@@ -32,6 +32,7 @@ fn a_design_comes_as_text_as_object_and_as_link() {
     }
 }
 
+#[cfg(target_arch = "wasm32")]
 #[wasm_bindgen_test]
 fn memory_is_there_before_it_is_wanted() {
     let pages = core::arch::wasm32::memory_size::<0>;

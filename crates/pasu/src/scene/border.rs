@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::still::Motion;
+use super::motion::Motion;
 use crate::face::{Face, FaceKind};
 use crate::patch::{Breaks, Cell, Side};
 use crate::solid::Pot;

@@ -23,6 +23,7 @@ mod judged;
 mod meeting;
 mod meridian;
 mod missed;
+mod motion;
 mod nearest;
 mod node;
 mod open;

@@ -7,8 +7,8 @@ use std::sync::{Arc, OnceLock};
 
 use super::bounds::Bounds;
 use super::boxes::Boxes;
+use super::motion::Motion;
 use super::space::Space;
-use super::still::Motion;
 use crate::design::Part;
 use crate::error::Result;
 use crate::solution::Solution;

@@ -10,7 +10,7 @@ use super::bounds::Bounds;
 use super::boxes::Boxes;
 use super::halvings::Halvings;
 use super::meridian::Meridian;
-use super::still::Motion;
+use super::motion::Motion;
 use super::tile::Tile;
 use crate::design::Placement;
 use crate::error::{Code, Error, Result};

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::border::{Beyond, Border, Jet};
 use super::bounds::Bounds;
-use super::still::Motion;
+use super::motion::Motion;
 use crate::numeric::triangle::Triangle;
 use crate::patch::Cell;
 
