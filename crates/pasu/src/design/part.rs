@@ -39,6 +39,11 @@ pub struct Part {
 }
 
 impl Part {
+    /// Whether another part is the same body in the same place, whatever it is called and looks like.
+    pub(crate) fn stands_as(&self, other: &Part) -> bool {
+        self.place == other.place && self.wall == other.wall && self.shape == other.shape
+    }
+
     /// The one way of writing this part.
     #[inline]
     pub(crate) fn canonical(self) -> Result<Self> {

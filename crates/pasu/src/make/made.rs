@@ -122,9 +122,7 @@ impl Key {
 
     /// Whether the part is still there as it was.
     fn stands(&self, design: &Design) -> bool {
-        let is_it =
-            |part: &Part| self.part.place == part.place && self.part.wall == part.wall && self.part.shape == part.shape;
-        self.unit == design.unit() && design.parts().get(self.number).is_some_and(is_it)
+        self.unit == design.unit() && design.parts().get(self.number).is_some_and(|part| self.part.stands_as(part))
     }
 }
 

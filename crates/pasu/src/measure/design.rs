@@ -7,12 +7,14 @@ use super::curvature::{Curvature, curvature};
 use super::dry::Dry;
 use super::fill::Filling;
 use super::finite::{refuse_infinite, refuse_infinite_part};
+use super::known::once;
 use super::measures::{
     Body, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
 };
 use super::moments::{Moments, area, enclosed};
 use super::outside::{Outside, Spot, columns};
 use super::quantity::Quantity;
+use super::share::Share;
 use super::standing::Standing;
 use super::taken::{ACCURACY, Naked, Taken};
 use crate::design::{Choice, Clay, Design, plain, rounded};
@@ -95,13 +97,6 @@ fn too_long(design: &Design, index: usize) -> Error {
     Error::new(Code::TooLarge, format!("parts[{index}].{field}"), message)
 }
 
-/// What a part adds to the measures of the whole.
-struct Share {
-    /// Clay and water times their densities.
-    clay: Option<Moments>,
-    water: Option<Moments>,
-}
-
 /// Measures a design: by quadrature and search on the closed form, each quantity with its error.
 ///
 /// A part that cannot be a pot has the measures of its surface, and says why.
@@ -144,12 +139,14 @@ fn measures(solution: &Solution, options: &MeasureOptions) -> Result<Measures> {
     let outsides: Vec<Outside> = taken.iter().map(Taken::outside).collect();
     let n = taken.len();
     let one = |(index, (taken, outside)): (usize, (&Taken, &Outside))| {
-        let part = || watch::within(MOST_WORK, || part_measures(design, index, taken, outside, options));
-        let measured = watch::share(index, n, part);
-        watch::go_on()?;
-        let (part, share) = measured.unwrap_or_else(|| Err(too_long(design, index)))?;
-        refuse_infinite_part(&part)?;
-        Ok((part, share))
+        once(solution, index, options, || {
+            let part = || watch::within(MOST_WORK, || part_measures(design, index, taken, outside, options));
+            let measured = watch::share(index, n, part);
+            watch::go_on()?;
+            let (part, share) = measured.unwrap_or_else(|| Err(too_long(design, index)))?;
+            refuse_infinite_part(&part)?;
+            Ok((part, share))
+        })
     };
     let measured = || taken.iter().zip(&outsides).enumerate().map(one).collect::<Result<Vec<_>>>();
     let (parts, shares): (Vec<_>, Vec<_>) = watch::between(TAKING, TOGETHER, measured)?.into_iter().unzip();

@@ -137,8 +137,7 @@ impl Sight {
     /// What is known of a part that is here just as it is there.
     fn same(&self, index: usize, part: &Part) -> Option<&Seen> {
         let own = self.design.get(index)?;
-        let is_same = own.place == part.place && own.wall == part.wall && own.shape == part.shape;
-        is_same.then(|| self.parts.get(index)).flatten()
+        own.stands_as(part).then(|| self.parts.get(index)).flatten()
     }
 }
 

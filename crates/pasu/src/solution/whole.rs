@@ -45,6 +45,9 @@ pub struct Solution {
     /// What its parts were made as, which those who make them know, and those of a design before.
     made: Kept,
     made_before: Kept,
+    /// What its parts measure, which those who measure them know, and those of a design before.
+    measured: Kept,
+    measured_before: Kept,
 }
 
 /// What a part has become, once something was asked of it.
@@ -69,6 +72,8 @@ impl Solution {
             joined: Kept::default(),
             made: Kept::default(),
             made_before: Kept::default(),
+            measured: Kept::default(),
+            measured_before: Kept::default(),
         }
     }
 
@@ -86,15 +91,21 @@ impl Solution {
     #[must_use]
     pub fn after(&self, design: &Design) -> Solution {
         let mut solution = Solution::of(design);
-        solution.scene_before = if self.scene.is_empty() { &self.scene_before } else { &self.scene }.clone();
-        solution.scene_seen_before =
-            if self.scene_seen.is_empty() { &self.scene_seen_before } else { &self.scene_seen }.clone();
-        solution.still_before = if self.still.is_empty() { &self.still_before } else { &self.still }.clone();
-        solution.made_before = if self.made.is_empty() { &self.made_before } else { &self.made }.clone();
+        let latest = |own: &Kept, before: &Kept| if own.is_empty() { before.clone() } else { own.clone() };
+        solution.still_before = latest(&self.still, &self.still_before);
+        solution.made_before = latest(&self.made, &self.made_before);
+        solution.measured_before = latest(&self.measured, &self.measured_before);
+        // Whether a ring has room goes by millimetres.
+        let is_same_unit = self.design.unit() == design.unit();
+        if is_same_unit {
+            solution.scene_before = latest(&self.scene, &self.scene_before);
+            solution.scene_seen_before = latest(&self.scene_seen, &self.scene_seen_before);
+        }
         for (index, part) in design.parts().iter().enumerate() {
-            let stands = |own: &&Part| own.place == part.place && own.wall == part.wall && own.shape == part.shape;
-            if let Some(space) = self.design.parts().get(index).filter(stands).and_then(|_| self.spaces.get(index)) {
-                solution.spaces[index] = space.clone();
+            let own = self.design.parts().get(index).filter(|own| is_same_unit && own.stands_as(part));
+            if own.is_some() {
+                solution.spaces[index] = self.spaces[index].clone();
+                solution.bodies[index] = self.bodies[index].clone();
             }
             // At its own place first.
             let order = core::iter::once(index).chain(0..self.parts.len());
@@ -205,6 +216,11 @@ impl Solution {
     /// Where what the parts were made as is kept, and where that of the parts of a design before was, if it was.
     pub(crate) fn made_parts(&self) -> [&Kept; 2] {
         [&self.made, &self.made_before]
+    }
+
+    /// Where what the parts measure is kept, and where that of the parts of a design before was, if it was.
+    pub(crate) fn measured_parts(&self) -> [&Kept; 2] {
+        [&self.measured, &self.measured_before]
     }
 
     fn no_such_part(&self, index: usize) -> Error {

@@ -301,6 +301,26 @@ mod tests {
     }
 
     #[test]
+    fn a_body_goes_along_with_a_part_that_stands_and_not_into_another_unit() {
+        let text = |unit: &str, height: u8| {
+            let cup = |height: u8| CONE.replace(r#""height": 3"#, &format!(r#""height": {height}"#));
+            let parts = [cup(3), cup(height)].map(|cup| {
+                let (from, to) = (cup.find('[').unwrap() + 1, cup.rfind(']').unwrap());
+                cup[from..to].to_owned()
+            });
+            format!(r#"{{ "pasu": 1, "unit": "{unit}", "parts": [{}] }}"#, parts.join(", "))
+        };
+        let first = Solution::of(&Design::parse(&text("cm", 4)).unwrap());
+        let kept =
+            |solution: &Solution, part: usize| solution.bodies(part).unwrap()[0].get::<Body>().map(core::ptr::from_ref);
+        (0..2).for_each(|part| drop(first.pot(part, Product::Pot).unwrap()));
+        let next = |unit: &str, height: u8| first.after(&Design::parse(&text(unit, height)).unwrap());
+        assert!(kept(&first, 0).is_some() && kept(&next("cm", 5), 0) == kept(&first, 0));
+        assert_eq!(kept(&next("cm", 5), 1), None);
+        assert_eq!(kept(&next("mm", 4), 0), None);
+    }
+
+    #[test]
     fn what_was_settled_is_kept_and_is_the_same_whatever_is_asked_first() {
         let design = Design::parse(CONE).unwrap();
         let kept = |ask: &dyn Fn(&Solution)| {
