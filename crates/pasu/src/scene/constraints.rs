@@ -21,7 +21,7 @@ use crate::watch;
 const SLACK: f64 = 1e-6;
 
 /// All the work that a scene is worth, in pairs of tiles: about half a second.
-const MOST_WORK: u64 = 150_000;
+const MOST_WORK: u64 = 130_000;
 
 /// The most breaches that are told one by one.
 const MOST_TOLD: usize = 1000;
