@@ -59,7 +59,7 @@ impl Triangle {
     }
 
     /// Where a side of another goes through its inside.
-    fn pierced(&self, other: &Triangle) -> Option<DVec3> {
+    pub(crate) fn pierced(&self, other: &Triangle) -> Option<DVec3> {
         let [a, b, c] = self.0;
         let normal = self.normal()?;
         SIDES.into_iter().find_map(|(i, j)| {

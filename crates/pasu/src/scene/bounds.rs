@@ -22,6 +22,12 @@ impl Bounds {
         Bounds { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
+    /// The box in both; of two that do not meet in all directions one without a size.
+    pub(super) fn common(&self, other: &Bounds) -> Bounds {
+        let (low, high) = (self.low.max(other.low), self.high.min(other.high));
+        if low.cmple(high).all() { Bounds { low, high } } else { Bounds { low, high: low } }
+    }
+
     /// Wider by so much on every side.
     pub(super) fn wider(self, by: f64) -> Bounds {
         Bounds { low: self.low - by, high: self.high + by }

@@ -1,4 +1,4 @@
-//! Planes across the axes of the scene and of both of two parts: whether one leaves room between them, and whether one part stands on the other there.
+//! Planes across the axes of the scene and of both of two parts, and across the way between them: whether one leaves room between them, and whether one part stands on the other there.
 //!
 //! What stands over something else is apart from it by such a plane. A gap along all of a rim takes more pairs of tiles than two parts are given; how far both reach towards each other takes few.
 
@@ -15,6 +15,15 @@ const ONE_AXIS: f64 = 1e-9;
 
 /// What rounding adds at most to how far a part reaches, as a part of the largest coordinate.
 const ROUNDING: f64 = 1e-14;
+
+/// The most steps towards the direction in which there is most room,
+const STEPS: usize = 32;
+
+/// what each counts for, in pairs of tiles,
+const STEP: u64 = 2;
+
+/// and the part of that room that is enough.
+const WELL: f64 = 0.75;
 
 /// Of the places of a part that are as far as it reaches, but for the slack, so many are asked whether they are at the other.
 const ASKED: usize = 8;
@@ -37,7 +46,7 @@ impl Space {
             return None;
         }
         let rounding = ROUNDING * self.far().max(other.far());
-        self.axes(other).into_iter().find_map(|axis| {
+        let room_across = |axis: DVec3, budget: &mut Budget| {
             // Corners are places of the borders: of most axes they tell that there is no room.
             let room = self.room(other, axis) - rounding;
             if !(room > slack) {
@@ -46,7 +55,37 @@ impl Space {
             let enough = 0.25 * (room - slack);
             let least = -self.reach(axis, enough, budget).0 - other.reach(-axis, enough, budget).0 - rounding;
             (least > slack).then_some(least)
-        })
+        };
+        let found = self.axes(other).into_iter().find_map(|axis| room_across(axis, budget));
+        // Of two octants their formulas have told that already.
+        let are_octants = self.octant().is_some() && other.octant().is_some();
+        found.or_else(|| if are_octants { None } else { room_across(self.way(other, slack, budget)?, budget) })
+    }
+
+    /// The direction towards another part in which there is most room between the corners of both, about, if there is more than the slack: by E. G. Gilbert's steps, as of [octants](Space::apart_by_formula).
+    fn way(&self, other: &Space, slack: f64, budget: &mut Budget) -> Option<DVec3> {
+        let mut way = self.bounds.middle() - other.bounds.middle();
+        let mut found: Option<(f64, DVec3)> = None;
+        for _ in 0..STEPS {
+            let length = way.length();
+            let direction = way / length;
+            if !direction.is_finite() || !budget.take(STEP) {
+                break;
+            }
+            let [(near, p), (far, q)] = [self.furthest_corner(-direction), other.furthest_corner(direction)];
+            let room = -near - far;
+            if room > slack && found.is_none_or(|(most, _)| room > most) {
+                found = Some((room, -direction));
+            }
+            let next = p - q;
+            let along = next - way;
+            let share = -way.dot(along) / along.length_squared();
+            if room >= WELL * length || !(share > 0.0) {
+                break;
+            }
+            way += along * share.min(1.0);
+        }
+        found.map(|(_, direction)| direction)
     }
 
     /// Where two parts come as near as the slack, with a plane across an axis between them that neither passes by more: what stands on something else, or leans on it, along more than pairs of tiles can follow.
@@ -113,11 +152,19 @@ impl Space {
 
     /// How far the corners of its tiles reach in a direction; all of an octant, which needs no tiles for that.
     pub(super) fn corners_reach(&self, direction: DVec3) -> f64 {
-        if let Some((most, _)) = self.reach_by_formula(direction) {
-            return most;
+        self.furthest_corner(direction).0
+    }
+
+    /// The same, and a corner that is as far.
+    fn furthest_corner(&self, direction: DVec3) -> (f64, DVec3) {
+        if let Some(reach) = self.reach_by_formula(direction) {
+            return reach;
         }
         let corners = self.tiles().all.iter().flat_map(|tile| tile.corners);
-        corners.map(|corner| corner.dot(direction)).fold(f64::NEG_INFINITY, f64::max)
+        corners.fold((f64::NEG_INFINITY, self.bounds.middle()), |most, corner| {
+            let reach = corner.dot(direction);
+            if reach > most.0 { (reach, corner) } else { most }
+        })
     }
 
     /// The largest coordinate.

@@ -38,7 +38,7 @@ const SMALL: f64 = 1.0 / 64.0;
 const ASKED: u64 = 8;
 
 /// and for each tile that is looked at to answer it: a place is brought nearer on it, step by step.
-const LOOKED_AT: u64 = 8;
+const LOOKED_AT: u64 = 4;
 
 /// What all is that formulas are asked of two octants, but for how far they are apart.
 const BY_FORMULA: u64 = 1;
@@ -142,7 +142,8 @@ impl Space {
             is_distance_sought,
             n_left: most_pairs,
             is_cut: false,
-            n_asked: 0,
+            // At first, places are asked beside where borders go through each other alone.
+            n_asked: if most_pairs == MOST_PAIRS { 0 } else { MOST_ASKED },
             touch: None,
             n_touches: 0,
         };
@@ -179,6 +180,13 @@ impl Space {
         }
         if known.is_none()
             && !is_distance_sought
+            && !are_octants
+            && let Some(deep) = self.crossed(other, slack, budget)
+        {
+            return (pair.through(deep, budget), false);
+        }
+        if known.is_none()
+            && !is_distance_sought
             && let Some(least) = self.divided(other, slack, budget)
         {
             return (Meeting::Apart { least }, false);
@@ -197,7 +205,7 @@ impl Space {
         let mut meeting = pair.borders(known, budget);
         if known.is_none() && !is_touch_enough && matches!(meeting, Meeting::Undecided { .. }) {
             let is_thorough = pair.is_cut && most_pairs == MOST_PAIRS;
-            if let Some(deep) = pair.somewhere(most_pairs, budget) {
+            if let Some(deep) = (most_pairs == MOST_PAIRS).then(|| pair.somewhere(most_pairs, budget)).flatten() {
                 return (pair.through(deep, budget), false);
             }
             if is_thorough {

@@ -10,6 +10,7 @@ mod coaxial;
 mod compare;
 mod connectivity;
 mod constraints;
+mod crossed;
 mod crossings;
 mod deep;
 mod difference;

@@ -91,22 +91,11 @@ impl Solution {
     #[must_use]
     pub fn after(&self, design: &Design) -> Solution {
         let mut solution = Solution::of(design);
-        let latest = |own: &Kept, before: &Kept| if own.is_empty() { before.clone() } else { own.clone() };
-        solution.still_before = latest(&self.still, &self.still_before);
-        solution.made_before = latest(&self.made, &self.made_before);
-        solution.measured_before = latest(&self.measured, &self.measured_before);
-        // Whether a ring has room goes by millimetres.
-        let is_same_unit = self.design.unit() == design.unit();
-        if is_same_unit {
-            solution.scene_before = latest(&self.scene, &self.scene_before);
-            solution.scene_seen_before = latest(&self.scene_seen, &self.scene_seen_before);
+        // Drawing alone asks for nothing of this.
+        if cfg!(feature = "patchwork") {
+            solution.take_over(self);
         }
         for (index, part) in design.parts().iter().enumerate() {
-            let own = self.design.parts().get(index).filter(|own| is_same_unit && own.stands_as(part));
-            if own.is_some() {
-                solution.spaces[index] = self.spaces[index].clone();
-                solution.bodies[index] = self.bodies[index].clone();
-            }
             // At its own place first.
             let order = core::iter::once(index).chain(0..self.parts.len());
             let mut known = order.filter_map(|place| {
@@ -123,6 +112,26 @@ impl Solution {
             }
         }
         solution
+    }
+
+    /// Takes over what others know of the parts of a design before, as far as these stand.
+    fn take_over(&mut self, before: &Solution) {
+        let latest = |own: &Kept, before: &Kept| if own.is_empty() { before.clone() } else { own.clone() };
+        self.still_before = latest(&before.still, &before.still_before);
+        self.made_before = latest(&before.made, &before.made_before);
+        self.measured_before = latest(&before.measured, &before.measured_before);
+        // Whether a ring has room goes by millimetres.
+        if self.design.unit() != before.design.unit() {
+            return;
+        }
+        self.scene_before = latest(&before.scene, &before.scene_before);
+        self.scene_seen_before = latest(&before.scene_seen, &before.scene_seen_before);
+        for (index, (part, own)) in self.design.parts().iter().zip(before.design.parts()).enumerate() {
+            if own.stands_as(part) {
+                self.spaces[index] = before.spaces[index].clone();
+                self.bodies[index] = before.bodies[index].clone();
+            }
+        }
     }
 
     /// The design.
