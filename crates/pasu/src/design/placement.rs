@@ -49,6 +49,11 @@ impl Placement {
         rotation.map(|row| [row[0] * self.scale[0], row[1] * self.scale[1], row[2] * self.scale[2]])
     }
 
+    /// The same size, neither turned nor moved.
+    pub(crate) fn still(&self) -> Placement {
+        Placement { scale: self.scale, ..Placement::default() }
+    }
+
     /// Where the coordinate axes of the shape point to, as unit vectors: a negative factor turns one round. `None` when the axis has no direction.
     pub(super) fn directions(&self) -> Option<[[f64; 3]; 3]> {
         let rotation = rotation(unit(self.axis)?, as_given(self.angle));

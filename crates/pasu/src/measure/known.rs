@@ -2,39 +2,38 @@
 
 use super::measures::{MeasureOptions, PartMeasures};
 use super::share::Share;
-use crate::design::{Part, Unit};
+use crate::design::{Choice, Clay, Part, Unit};
+use crate::error::Result;
 use crate::solid::Product;
 use crate::solution::{Newest, Solution};
 
 /// The most that are kept: those of a scene as a pot, and as a solid.
 const MOST: usize = 1_000;
 
-/// All that the measures of a part depend on, but for its name.
-#[derive(Clone)]
+/// All that the measures of a part depend on that stands where it stood, but for its name.
+#[derive(Clone, Copy, PartialEq)]
 struct Key {
     number: usize,
-    part: Part,
-    unit: Unit,
+    clay: Choice<Clay>,
     product: Product,
     fill: Option<u64>,
     density: Option<u64>,
 }
 
 impl Key {
-    fn of(solution: &Solution, number: usize, part: &Part, options: &MeasureOptions) -> Key {
+    fn of(number: usize, part: &Part, options: &MeasureOptions) -> Key {
         let MeasureOptions { fill, product, density } = *options;
         let [fill, density] = [fill, density].map(|number| number.map(f64::to_bits));
-        Key { number, part: part.clone(), unit: solution.design().unit(), product, fill, density }
-    }
-
-    fn is(&self, other: &Key) -> bool {
-        let all = |key: &Key| (key.number, key.unit, key.product, key.fill, key.density, key.part.look.clay);
-        all(self) == all(other) && self.part.stands_as(&other.part)
+        Key { number, clay: part.look.clay, product, fill, density }
     }
 }
 
-/// Measures of parts.
-pub(super) struct Known(Newest<Key, (PartMeasures, Share)>);
+/// Measures of the parts of one design.
+struct Known {
+    unit: Unit,
+    parts: Vec<Part>,
+    measures: Newest<Key, (PartMeasures, Share)>,
+}
 
 impl Known {
     /// What a solution keeps, with what that of the design before it knew of parts that are still as they were.
@@ -42,10 +41,13 @@ impl Known {
         let [kept, before] = solution.measured_parts();
         if kept.is_empty() {
             let (unit, parts) = (solution.design().unit(), solution.design().parts());
-            let stands =
-                |key: &Key| key.unit == unit && parts.get(key.number).is_some_and(|part| key.part.stands_as(part));
-            let before = before.get::<Known>().map(|before| before.0.of(stands));
-            kept.keep(Known(before.unwrap_or_else(|| Newest::new(MOST))));
+            let before = before.get::<Known>().filter(|before| before.unit == unit);
+            let measures = before.map(|before| {
+                let pair = |number: usize| before.parts.get(number).zip(parts.get(number));
+                before.measures.of(|key| pair(key.number).is_some_and(|(own, part)| own.stands_as(part)))
+            });
+            let measures = measures.unwrap_or_else(|| Newest::new(MOST));
+            kept.keep(Known { unit, parts: parts.to_vec(), measures });
         }
         kept.get()
     }
@@ -55,20 +57,22 @@ impl Known {
 ///
 /// # Errors
 /// As `measure`; no refusal is kept.
-pub(super) fn once<E>(
+pub(super) fn once(
     solution: &Solution,
     number: usize,
     options: &MeasureOptions,
-    measure: impl FnOnce() -> Result<(PartMeasures, Share), E>,
-) -> Result<(PartMeasures, Share), E> {
-    let part = solution.design().parts().get(number);
-    let Some((known, part)) = Known::of(solution).zip(part) else { return measure() };
-    let key = Key::of(solution, number, part, options);
-    if let Some((measures, share)) = known.0.find(|of, _| of.is(&key)) {
+    measure: impl FnOnce() -> Result<(PartMeasures, Share)>,
+) -> Result<(PartMeasures, Share)> {
+    let (_, part) = solution.existing(number)?;
+    let key = Key::of(number, part, options);
+    let known = Known::of(solution).map(|known| &known.measures);
+    if let Some((measures, share)) = known.and_then(|known| known.find(|of, _| *of == key)) {
         return Ok((PartMeasures { name: part.name.clone(), ..measures }, share));
     }
     let measured = measure()?;
-    known.0.keep(key, &measured, 1);
+    if let Some(known) = known {
+        known.keep(key, &measured, 1);
+    }
     Ok(measured)
 }
 
@@ -94,7 +98,7 @@ mod tests {
     }
 
     fn n_kept(solution: &Solution) -> usize {
-        Known::of(solution).unwrap().0.n_kept()
+        Known::of(solution).unwrap().measures.n_kept()
     }
 
     #[test]

@@ -10,6 +10,7 @@ pub(crate) mod brent;
 pub(crate) mod climb;
 pub(crate) mod gauss_kronrod;
 pub(crate) mod gauss_legendre;
+pub(crate) mod gilbert;
 pub(crate) mod golden_section;
 pub(crate) mod grid;
 pub(crate) mod horner;

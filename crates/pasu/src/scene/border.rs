@@ -3,9 +3,9 @@
 use core::f64::consts::TAU;
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DMat2, DVec2, DVec3};
 
-use super::motion::Motion;
+use super::isometry::Isometry;
 use crate::face::{Face, FaceKind};
 use crate::patch::{Breaks, Cell, Side};
 use crate::solid::Pot;
@@ -26,7 +26,7 @@ pub(super) enum Border {
     /// A patch, of which bounds are proved.
     Patch { placed: Arc<Placed>, patch: usize, stretch: [f64; 3] },
     /// A face of a wall, of which they are measured; the wall is found before it is turned and moved.
-    Face { pot: Arc<Pot>, face: usize, motion: Motion },
+    Face { pot: Arc<Pot>, face: usize, motion: Isometry },
 }
 
 /// Position and first derivatives.
@@ -35,6 +35,21 @@ pub(super) struct Jet {
     pub(super) position: DVec3,
     pub(super) du: DVec3,
     pub(super) dv: DVec3,
+}
+
+impl Jet {
+    /// How far the parameters are from those of the place of the tangent plane that is nearest to one so far away.
+    pub(super) fn towards(&self, away: DVec3) -> DVec2 {
+        let normal = DMat2::from_cols(
+            DVec2::new(self.du.length_squared(), self.du.dot(self.dv)),
+            DVec2::new(self.du.dot(self.dv), self.dv.length_squared()),
+        );
+        let downhill = DVec2::new(self.du.dot(away), self.dv.dot(away));
+        match normal.determinant() {
+            0.0 => downhill / normal.col(0).x.max(normal.col(1).y),
+            _ => normal.inverse() * downhill,
+        }
+    }
 }
 
 /// How far a cell goes beyond its corners in a direction.
@@ -59,7 +74,7 @@ impl Border {
     /// Every face of a pot.
     pub(super) fn faces(pot: &Arc<Pot>) -> Vec<Border> {
         let faces = 0..pot.faces().len();
-        faces.map(|face| Border::Face { pot: Arc::clone(pot), face, motion: Motion::NONE }).collect()
+        faces.map(|face| Border::Face { pot: Arc::clone(pot), face, motion: Isometry::NONE }).collect()
     }
 
     pub(super) fn jet(&self, u: f64, v: f64) -> Jet {

@@ -1,6 +1,6 @@
 //! A box along the axes.
 
-use glam::DVec3;
+use glam::{BVec3, DVec3};
 
 /// What lies between two corners, borders included; nothing where one coordinate is the wrong way round.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,10 +22,19 @@ impl Bounds {
         Bounds { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// The box in both; of two that do not meet in all directions one without a size.
+    /// The box in both, the wrong way round along axes along which they do not meet.
     pub(super) fn common(&self, other: &Bounds) -> Bounds {
-        let (low, high) = (self.low.max(other.low), self.high.min(other.high));
-        if low.cmple(high).all() { Bounds { low, high } } else { Bounds { low, high: low } }
+        Bounds { low: self.low.max(other.low), high: self.high.min(other.high) }
+    }
+
+    /// Its eight corners.
+    pub(super) fn corners(&self) -> [DVec3; 8] {
+        core::array::from_fn(|i| DVec3::select(BVec3::new(i & 1 == 1, i & 2 == 2, i & 4 == 4), self.high, self.low))
+    }
+
+    /// The largest coordinate of it, whatever its sign.
+    pub(super) fn far(&self) -> f64 {
+        self.low.abs().max(self.high.abs()).max_element()
     }
 
     /// Wider by so much on every side.

@@ -2,9 +2,9 @@
 //!
 //! On one side of the curve in which two borders cross each of them is beneath the other. So little beside a place of that curve there is one that is deep in the other part, however thin that is: few are asked for what pairs of tiles find only once they are as small as a wall is thick.
 
-use glam::{DMat2, DMat3, DVec2, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 
-use super::border::Jet;
+use super::bounds::Bounds;
 use super::boxes::Within;
 use super::budget::Budget;
 use super::space::Space;
@@ -56,33 +56,37 @@ impl Space {
             if of_p.distance(&of_q) > 0.0 {
                 continue;
             }
-            match (one.boxes.within(p), another.boxes.within(q)) {
-                (Within::Thing(i), Within::Thing(j)) => {
-                    let tiles = [&one.all[i], &another.all[j]];
-                    let Some(at) =
-                        pierced(tiles).filter(|at| places.iter().all(|known| (*known - at).length() > apart))
-                    else {
-                        continue;
-                    };
-                    places.push(at);
-                    if !budget.take(PLACE) {
-                        return None;
-                    }
-                    if let Some(deep) = self.beside(other, tiles, slack, budget) {
-                        return Some(deep);
-                    }
+            let things = [one.boxes.within(p), another.boxes.within(q)];
+            if let [Within::Thing(i), Within::Thing(j)] = things {
+                let tiles = [&one.all[i], &another.all[j]];
+                let is_new = |at: &DVec3| places.iter().all(|known| (*known - at).length() > apart);
+                let Some(at) = pierced(tiles).filter(is_new) else { continue };
+                places.push(at);
+                if !budget.take(PLACE) {
+                    return None;
                 }
-                // The larger one is taken apart, of which the half that is more of the other comes first.
-                (Within::Halves(halves), of) if matches!(of, Within::Thing(_)) || of_p.size() >= of_q.size() => {
-                    let common = |half: u32| one.boxes.bounds(half).common(&of_q).size();
-                    open.extend(ascending(halves, common).map(|half| [half, q]));
+                if let Some(deep) = self.beside(other, tiles, slack, budget) {
+                    return Some(deep);
                 }
-                (_, Within::Halves(halves)) => {
-                    let common = |half: u32| another.boxes.bounds(half).common(&of_p).size();
-                    open.extend(ascending(halves, common).map(|half| [p, half]));
-                }
-                (Within::Halves(_), Within::Thing(_)) => {}
+                continue;
             }
+            // The larger one is taken apart; what has more in common with the other is last, and comes next.
+            let is_first = of_p.size() >= of_q.size();
+            let mut next = match things {
+                [Within::Halves(halves), of] if is_first || matches!(of, Within::Thing(_)) => {
+                    halves.map(|half| [half, q])
+                }
+                [_, Within::Halves(halves)] => halves.map(|half| [p, half]),
+                _ => continue,
+            };
+            let common = |[p, q]: [u32; 2]| {
+                let Bounds { low, high } = one.boxes.bounds(p).common(&another.boxes.bounds(q));
+                (high - low).max(DVec3::ZERO).length()
+            };
+            if common(next[0]) > common(next[1]) {
+                next.reverse();
+            }
+            open.extend(next);
         }
         None
     }
@@ -98,15 +102,20 @@ impl Space {
         if !(sine > TOUCHING) {
             return None;
         }
-        for depth in BESIDE {
+        // What is no deeper than the slack tells nothing.
+        for depth in BESIDE.map(|share| (share * size).max(2.0 * slack)) {
             for (k, outer) in [(0, other), (1, self)] {
                 if !outer.is_solid {
                     continue;
                 }
                 // Along this border, away from where the other one faces.
                 let (own, facing) = (normals[k], normals[1 - k]);
-                let way = (own * own.dot(facing) - facing) / sine * (depth * size / sine);
-                let beside = moved(at[k], &borders[k].jet(at[k].x, at[k].y), way)?;
+                let way = (own * own.dot(facing) - facing) / sine * (depth / sine);
+                let beside = at[k] + borders[k].jet(at[k].x, at[k].y).towards(way);
+                if !beside.is_finite() {
+                    return None;
+                }
+                let beside = beside.clamp(DVec2::ZERO, DVec2::ONE);
                 if !budget.take(outer.asked_for()) {
                     return None;
                 }
@@ -152,24 +161,10 @@ impl Space {
     }
 }
 
-fn ascending([one, other]: [u32; 2], of: impl Fn(u32) -> f64) -> [u32; 2] {
-    if of(one) > of(other) { [other, one] } else { [one, other] }
-}
-
 /// Where the triangles of two tiles go through each other.
 fn pierced(tiles: [&Tile; 2]) -> Option<DVec3> {
     let [one, other] = tiles.map(Tile::triangles);
     one.iter().find_map(|p| other.iter().find_map(|q| p.pierced(q).or_else(|| q.pierced(p))))
-}
-
-/// The parameters so far from a place of a border as its tangent plane says, if they are on it.
-fn moved(at: DVec2, jet: &Jet, way: DVec3) -> Option<DVec2> {
-    let squares = DMat2::from_cols(
-        DVec2::new(jet.du.length_squared(), jet.du.dot(jet.dv)),
-        DVec2::new(jet.du.dot(jet.dv), jet.dv.length_squared()),
-    );
-    let next = at + squares.inverse() * DVec2::new(jet.du.dot(way), jet.dv.dot(way));
-    next.is_finite().then(|| next.clamp(DVec2::ZERO, DVec2::ONE))
 }
 
 #[cfg(test)]

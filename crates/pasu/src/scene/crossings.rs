@@ -104,7 +104,7 @@ impl Space {
 
     /// The crossings of what is turned and moved, by those of what it is before.
     fn moved_crossings(&self, origin: DVec3, direction: DVec3) -> Crossings {
-        let largest = self.bounds.low.abs().max(self.bounds.high.abs()).max(origin.abs()).max_element();
+        let largest = self.bounds.far().max(origin.abs().max_element());
         let Some((still, motion)) = self.still() else { return self.tile_crossings(origin, direction, largest) };
         let (from, along) = (motion.point_before(origin), motion.vector_before(direction));
         let mut crossings = still.tile_crossings(from, along, largest);

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::budget::Budget;
 use super::space::Space;
+use crate::numeric::gilbert::gilbert;
 
 /// What it counts for to look along all axes, in pairs of tiles.
 const LOOKED: u64 = 12;
@@ -45,7 +46,7 @@ impl Space {
         if !budget.take(LOOKED) {
             return None;
         }
-        let rounding = ROUNDING * self.far().max(other.far());
+        let rounding = ROUNDING * self.bounds.far().max(other.bounds.far());
         let room_across = |axis: DVec3, budget: &mut Budget| {
             // Corners are places of the borders: of most axes they tell that there is no room.
             let room = self.room(other, axis) - rounding;
@@ -62,29 +63,20 @@ impl Space {
         found.or_else(|| if are_octants { None } else { room_across(self.way(other, slack, budget)?, budget) })
     }
 
-    /// The direction towards another part in which there is most room between the corners of both, about, if there is more than the slack: by E. G. Gilbert's steps, as of [octants](Space::apart_by_formula).
+    /// The direction towards another part in which there is most room between the corners of both, about, if there is more than the slack: by [Gilbert's steps](gilbert).
     fn way(&self, other: &Space, slack: f64, budget: &mut Budget) -> Option<DVec3> {
-        let mut way = self.bounds.middle() - other.bounds.middle();
         let mut found: Option<(f64, DVec3)> = None;
-        for _ in 0..STEPS {
-            let length = way.length();
-            let direction = way / length;
-            if !direction.is_finite() || !budget.take(STEP) {
-                break;
+        gilbert(self.bounds.middle() - other.bounds.middle(), STEPS, |direction, length| {
+            if !budget.take(STEP) {
+                return None;
             }
             let [(near, p), (far, q)] = [self.furthest_corner(-direction), other.furthest_corner(direction)];
             let room = -near - far;
             if room > slack && found.is_none_or(|(most, _)| room > most) {
                 found = Some((room, -direction));
             }
-            let next = p - q;
-            let along = next - way;
-            let share = -way.dot(along) / along.length_squared();
-            if room >= WELL * length || !(share > 0.0) {
-                break;
-            }
-            way += along * share.min(1.0);
-        }
+            (room < WELL * length).then_some(p - q)
+        });
         found.map(|(_, direction)| direction)
     }
 
@@ -94,7 +86,7 @@ impl Space {
         if !budget.take(LOOKED) {
             return None;
         }
-        let rounding = ROUNDING * self.far().max(other.far());
+        let rounding = ROUNDING * self.bounds.far().max(other.bounds.far());
         // Corners are places of the borders: of most axes they tell that one passes the other. Of these the one along which it passes least is asked, for what is deep.
         let rooms: Vec<(f64, DVec3)> =
             self.axes(other).into_iter().map(|axis| (self.room(other, axis) - rounding, axis)).collect();
@@ -165,10 +157,5 @@ impl Space {
             let reach = corner.dot(direction);
             if reach > most.0 { (reach, corner) } else { most }
         })
-    }
-
-    /// The largest coordinate.
-    fn far(&self) -> f64 {
-        self.bounds.low.abs().max(self.bounds.high.abs()).max_element()
     }
 }

@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::bounds::Bounds;
 use super::space::Space;
 use super::tile::Tile;
+use crate::numeric::gilbert::gilbert;
 use crate::octant::Supersphere;
 
 /// Coordinates in the frame of an octant are wrong by less than this part of what they are summed of.
@@ -151,7 +151,7 @@ impl Space {
     /// How far an octant reaches in a direction at most, as seen from the origin of all, and where about it.
     fn furthest(&self, octant: &Supersphere, direction: DVec3) -> (f64, DVec3) {
         let (most, at) = octant.reach(self.placed().matrix().transpose() * direction);
-        let rounding = ROUNDING * self.bounds.low.abs().max(self.bounds.high.abs()).max_element();
+        let rounding = ROUNDING * self.bounds.far();
         (most + direction.dot(self.placed().shift()) + rounding, self.placed_point(at))
     }
 
@@ -190,9 +190,8 @@ impl Space {
 
     /// A place at which two octants come as near as the slack, with a plane between them that neither passes by more, across a side of one. `None` also where there may be one, and of what is no octant.
     pub(super) fn contact_by_formula(&self, other: &Space, slack: f64) -> Option<DVec3> {
-        let far = |space: &Space| space.bounds.low.abs().max(space.bounds.high.abs()).max_element();
         // Rounding adds far less to a place.
-        let clear = slack + 1e-12 * far(self).max(far(other));
+        let clear = slack + 1e-12 * self.bounds.far().max(other.bounds.far());
         let is_between = |direction: DVec3| {
             // Few are, and of the others it costs little to say so.
             if self.at_least(direction) + other.at_least(-direction) > clear {
@@ -203,32 +202,20 @@ impl Space {
         };
         self.across().chain(other.across()).find(|direction| is_between(*direction))?;
         // Where both boxes are, and places of either.
-        let common =
-            Bounds { low: self.bounds.low.max(other.bounds.low), high: self.bounds.high.min(other.bounds.high) };
+        let common = self.bounds.common(&other.bounds);
         let places = core::iter::once(common.middle()).chain(self.places_by_formula()).chain(other.places_by_formula());
         // Where edges are rounded little both may come so near beside an end of that box alone.
-        let corners = (0..8).map(|i| {
-            let is_high = [0, 1, 2].map(|axis| i >> axis & 1 == 1);
-            DVec3::select(glam::BVec3::from_array(is_high), common.high, common.low)
-        });
-        places.chain(corners).find_map(|at| self.near_both(other, at, slack))
+        places.chain(common.corners()).find_map(|at| self.near_both(other, at, slack))
     }
 
     /// How far two octants are apart at least, where that is more than `slack`; as well as it can be found if `is_well`. `None` also of what may be apart, and of what is no octant. The second number is how many steps it took.
     ///
-    /// E. G. Gilbert's steps (*An iterative procedure for computing the minimum of a quadratic form on a convex set*, 1966) towards the place of the difference of both that is nearest to the origin, each of them in the least convex octant about it. However far
-    /// they come, what a plane across them leaves between both is a bound.
+    /// By [Gilbert's steps](gilbert), each of both octants in the least convex one about it. However far they come, what a plane across them leaves between both is a bound.
     pub(super) fn apart_by_formula(&self, other: &Space, slack: f64, is_well: bool) -> (Option<f64>, u64) {
         let both = [self, other];
         let [Some(one), Some(another)] = both.map(Space::octant) else { return (None, 0) };
-        let mut way = self.bounds.middle() - other.bounds.middle();
         let mut found = None;
-        for step in 1..=STEPS as u64 {
-            let length = way.length();
-            let direction = way / length;
-            if !direction.is_finite() {
-                return (found, step);
-            }
+        let n_steps = gilbert(self.bounds.middle() - other.bounds.middle(), STEPS, |direction, length| {
             let (near, p) = self.furthest(one, -direction);
             let (far, q) = other.furthest(another, direction);
             let least = -near - far;
@@ -236,14 +223,8 @@ impl Space {
                 found = Some(least);
             }
             let is_enough = if is_well { least >= WELL * length } else { found.is_some() };
-            let next = p - q;
-            let along = next - way;
-            let share = -way.dot(along) / along.length_squared();
-            if is_enough || !(share > 0.0) {
-                return (found, step);
-            }
-            way += along * share.min(1.0);
-        }
-        (found, STEPS as u64)
+            (!is_enough).then_some(p - q)
+        });
+        (found, n_steps)
     }
 }

@@ -8,7 +8,6 @@ use super::border::Border;
 use super::tile::Tile;
 use crate::numeric::scattered::Scatter;
 use crate::patch::Cell;
-use crate::watch;
 
 /// The most of a part that are kept, each of two tiles: so many rays go through twice as many.
 const MOST: usize = 1024;
@@ -45,7 +44,7 @@ impl Halvings {
         }
         let halves = tile.halves(borders)?;
         let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if kept.len() < MOST && !watch::is_stopped() {
+        if kept.len() < MOST {
             kept.insert(key, halves);
         }
         Some(halves)

@@ -42,10 +42,7 @@ impl Space {
     /// The same of one of many places, which all have one budget: what rays take beyond what asking counts for is taken from it.
     pub(super) fn holds_within(&self, at: DVec3, budget: &mut Budget) -> Option<bool> {
         let (held, n_tiles) = self.told(at, MOST_CUT);
-        let beyond = (n_tiles / TILES).saturating_sub(self.asked_for());
-        if beyond > 0 {
-            budget.take(beyond);
-        }
+        budget.take((n_tiles / TILES).saturating_sub(self.asked_for()));
         held
     }
 

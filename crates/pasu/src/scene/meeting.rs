@@ -29,7 +29,7 @@ const MOST_CLOSELY: u64 = 1500;
 const MOST_ASKED: usize = 64;
 
 /// The most places of each of two that are asked where nothing else told.
-const MOST_SCATTERED: u64 = 128;
+const MOST_SCATTERED: usize = 128;
 
 /// What is small of a part, as a share of its size.
 const SMALL: f64 = 1.0 / 64.0;
@@ -115,6 +115,8 @@ struct Pair<'a> {
     /// Whether there was more to be held against each other than was allowed.
     is_cut: bool,
     n_asked: usize,
+    /// At first no places are asked but those beside where borders go through each other.
+    most_asked: usize,
     /// Where they come as near as the slack.
     touch: Option<DVec3>,
     n_touches: usize,
@@ -126,6 +128,7 @@ impl Space {
         #[cfg(test)]
         MET.set(MET.get() + 1);
         let Task { slack, is_touch_enough, is_distance_sought, most_pairs } = task;
+        let is_thorough = most_pairs == MOST_PAIRS;
         let apart = self.bounds.distance(&other.bounds);
         if apart > slack {
             return (Meeting::Apart { least: apart }, false);
@@ -142,8 +145,8 @@ impl Space {
             is_distance_sought,
             n_left: most_pairs,
             is_cut: false,
-            // At first, places are asked beside where borders go through each other alone.
-            n_asked: if most_pairs == MOST_PAIRS { 0 } else { MOST_ASKED },
+            n_asked: 0,
+            most_asked: if is_thorough { MOST_ASKED } else { 0 },
             touch: None,
             n_touches: 0,
         };
@@ -192,7 +195,7 @@ impl Space {
             return (Meeting::Apart { least }, false);
         }
         if known.is_none()
-            && most_pairs == MOST_PAIRS
+            && is_thorough
             && let Some(resting) = self.resting(other, slack, budget)
         {
             let meeting = match resting {
@@ -203,12 +206,19 @@ impl Space {
             return (meeting, false);
         }
         let mut meeting = pair.borders(known, budget);
-        if known.is_none() && !is_touch_enough && matches!(meeting, Meeting::Undecided { .. }) {
-            let is_thorough = pair.is_cut && most_pairs == MOST_PAIRS;
-            if let Some(deep) = (most_pairs == MOST_PAIRS).then(|| pair.somewhere(most_pairs, budget)).flatten() {
+        let is_open = match meeting {
+            Meeting::Undecided { touch } => known.is_none() && (touch.is_none() || !is_touch_enough),
+            _ => false,
+        };
+        if is_open && !is_thorough {
+            // Of no place but those beside where borders go through each other was it asked how deep it is.
+            return (meeting, true);
+        }
+        if is_open && !is_touch_enough {
+            if let Some(deep) = pair.somewhere(budget) {
                 return (pair.through(deep, budget), false);
             }
-            if is_thorough {
+            if pair.is_cut {
                 let beside = both
                     .into_iter()
                     .find_map(|(of, outer)| outer.octant().and_then(|_| of.beside_octant(outer, slack, budget)));
@@ -218,7 +228,7 @@ impl Space {
                     None => {}
                 }
             }
-            if is_thorough && matches!(meeting, Meeting::Undecided { .. }) {
+            if pair.is_cut && matches!(meeting, Meeting::Undecided { .. }) {
                 meeting = pair.closely(budget);
             }
         }
@@ -453,7 +463,7 @@ impl Pair<'_> {
             let middle = tile.middle_jet(&self.parts[part].borders).position;
             for at in core::iter::once(middle).chain(tile.corners) {
                 let is_beneath = (at - foot).dot(normal) < -self.slack;
-                if self.n_asked >= MOST_ASKED || !is_beneath || !outer.bounds.holds(at) {
+                if self.n_asked >= self.most_asked || !is_beneath || !outer.bounds.holds(at) {
                     continue;
                 }
                 if !budget.take(outer.asked_for()) {
@@ -468,8 +478,8 @@ impl Pair<'_> {
         None
     }
 
-    /// A place of one that is deep in the other, of some all over each that are in the box of the other: as many as are worth no more than so many pairs of tiles.
-    fn somewhere(&self, most: u64, budget: &mut Budget) -> Option<(DVec3, f64)> {
+    /// A place of one that is deep in the other, of some all over each that are in the box of the other.
+    fn somewhere(&self, budget: &mut Budget) -> Option<(DVec3, f64)> {
         let [one, other] = self.parts;
         [(one, other), (other, one)].into_iter().find_map(|(of, outer)| {
             if !outer.is_solid {
@@ -477,8 +487,7 @@ impl Pair<'_> {
             }
             let corners = of.tiles().all.iter().map(|tile| tile.corners[0]);
             let places: Vec<DVec3> = corners.filter(|corner| outer.bounds.holds(*corner)).collect();
-            let n = (most / (2 * outer.asked_for())).clamp(1, MOST_SCATTERED);
-            let step = (places.len() as u64).div_ceil(n).max(1) as usize;
+            let step = places.len().div_ceil(MOST_SCATTERED).max(1);
             places.into_iter().step_by(step).find_map(|at| {
                 budget
                     .take(outer.asked_for())

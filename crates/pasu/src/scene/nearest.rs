@@ -2,7 +2,7 @@
 
 use std::collections::BinaryHeap;
 
-use glam::{DMat2, DVec2, DVec3};
+use glam::{DVec2, DVec3};
 
 use super::border::Jet;
 use super::boxes::Within;
@@ -143,15 +143,7 @@ impl Space {
         }
         for _ in 0..STEPS {
             let away = point - jet.position;
-            let normal = DMat2::from_cols(
-                DVec2::new(jet.du.length_squared(), jet.du.dot(jet.dv)),
-                DVec2::new(jet.du.dot(jet.dv), jet.dv.length_squared()),
-            );
-            let downhill = DVec2::new(jet.du.dot(away), jet.dv.dot(away));
-            let full = match normal.determinant() {
-                0.0 => downhill / normal.col(0).x.max(normal.col(1).y),
-                _ => normal.inverse() * downhill,
-            };
+            let full = jet.towards(away);
             let mut length = 1.0;
             let moved = loop {
                 let next = (at + full * length).clamp(low, high);

@@ -7,7 +7,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::bounds::Bounds;
 use super::boxes::Boxes;
-use super::motion::Motion;
+use super::isometry::Isometry;
 use super::space::Space;
 use crate::design::Part;
 use crate::error::Result;
@@ -70,7 +70,7 @@ impl Solution {
             let space = self.in_space(index)?;
             return Ok(Seen { bounds: space.bounds, surface: space.bounds, space: OnceLock::from(space) });
         }
-        let (still, motion) = (self.still(index)?, Motion::of(&part.place));
+        let (still, motion) = (self.still(index)?, Isometry::of(&part.place));
         let surface = still.surface(&motion);
         if let Some(bounds) = still.reach(&motion) {
             return Ok(Seen { bounds, surface, space: OnceLock::new() });

@@ -9,8 +9,8 @@ use super::border::Border;
 use super::bounds::Bounds;
 use super::boxes::Boxes;
 use super::halvings::Halvings;
+use super::isometry::Isometry;
 use super::meridian::Meridian;
-use super::motion::Motion;
 use super::tile::Tile;
 use crate::design::Placement;
 use crate::error::{Code, Error, Result};
@@ -40,7 +40,7 @@ pub(super) struct Space {
     pub(super) is_solid: bool,
     placed: Arc<Placed>,
     /// What it is before it is turned and moved, and how it is; `None` of what is not.
-    still: Option<(Arc<Space>, Motion)>,
+    still: Option<(Arc<Space>, Isometry)>,
     /// Of an octant, its frame.
     inverse: Option<DMat3>,
     pub(super) bounds: Bounds,
@@ -63,7 +63,7 @@ impl Space {
     fn new(solution: &Solution, part: usize) -> Result<Space> {
         let placed = Arc::clone(solution.part(part)?);
         let (_, of) = solution.existing(part)?;
-        let still = solution.space_before(part)?.map(|still| (still, Motion::of(&of.place)));
+        let still = solution.space_before(part)?.map(|still| (still, Isometry::of(&of.place)));
         watch::go_on()?;
         let (borders, is_solid) = match &still {
             Some((still, motion)) => (still.moved_borders(&placed, &of.place, motion), still.is_solid),
@@ -86,14 +86,13 @@ impl Space {
         };
         space.bounds = match space.inverse {
             Some(_) => {
-                let corner = |i: usize| DVec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-                let corners: [DVec3; 8] = core::array::from_fn(|i| space.placed_point(corner(i)));
-                let bounds = Bounds::of(&corners);
-                bounds.wider(1e-15 * bounds.low.abs().max(bounds.high.abs()).max_element())
+                let unit = Bounds { low: DVec3::ZERO, high: DVec3::ONE };
+                let bounds = Bounds::of(&unit.corners().map(|corner| space.placed_point(corner)));
+                bounds.wider(1e-15 * bounds.far())
             }
             None => space.tiles().all.iter().fold(Bounds::NOTHING, |all, tile| all.with(tile.bounds())),
         };
-        let (size, most) = (space.bounds.size(), space.bounds.low.abs().max(space.bounds.high.abs()).max_element());
+        let (size, most) = (space.bounds.size(), space.bounds.far());
         if !(size > 1.0 / LARGEST && most < LARGEST) {
             let told = |x: f64| if x.is_finite() { format!("{x:e}") } else { "more than 1.7e308".to_owned() };
             let message = format!(
@@ -110,7 +109,7 @@ impl Space {
     }
 
     /// The border of a part that is this one, turned and moved.
-    fn moved_borders(&self, placed: &Arc<Placed>, place: &Placement, motion: &Motion) -> Vec<Border> {
+    fn moved_borders(&self, placed: &Arc<Placed>, place: &Placement, motion: &Isometry) -> Vec<Border> {
         let mut shell: Option<Arc<Placed>> = None;
         let moved = self.borders.iter().map(|border| match border {
             Border::Face { pot, face, .. } => Border::Face { pot: Arc::clone(pot), face: *face, motion: *motion },
@@ -127,7 +126,7 @@ impl Space {
     }
 
     /// What it is before it is turned and moved, and how it is; `None` of what is not.
-    pub(super) fn still(&self) -> Option<(&Space, &Motion)> {
+    pub(super) fn still(&self) -> Option<(&Space, &Isometry)> {
         self.still.as_ref().map(|(still, motion)| (&**still, motion))
     }
 

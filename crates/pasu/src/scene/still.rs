@@ -6,17 +6,14 @@ use glam::DVec3;
 
 use super::border::Border;
 use super::bounds::Bounds;
-use super::motion::Motion;
+use super::isometry::Isometry;
 use super::space::{Space, tiled};
 use super::tile::Tile;
-use crate::design::{Part, Placement, Unit, Wall};
+use crate::design::{Part, Unit, Wall, written};
 use crate::error::Result;
 use crate::solid::Product;
 use crate::solution::{Newest, Solution, Upright};
 use crate::watch;
-
-/// The most that are kept: as many as a scene has parts.
-const MOST: usize = 500;
 
 /// The most tiles by which a surface is enclosed where its body may not be wanted: a quarter of those that a body has.
 const FEW_TILES: usize = 128;
@@ -40,6 +37,7 @@ pub(super) struct Still {
 /// Parts by themselves, by what they are, in a unit: whether a ring has room is judged in millimetres.
 struct Stills {
     unit: Unit,
+    /// As many as a scene has parts.
     known: Newest<Part, Arc<Still>>,
 }
 
@@ -52,7 +50,7 @@ impl Still {
     }
 
     /// A box round the surface of a part with a wall.
-    pub(super) fn surface(&self, motion: &Motion) -> Bounds {
+    pub(super) fn surface(&self, motion: &Isometry) -> Bounds {
         self.surface.iter().fold(Bounds::NOTHING, |all, tile| all.with(tile.moved(motion).bounds()))
     }
 
@@ -61,10 +59,9 @@ impl Still {
     /// In the frame of the pot's own axis the clay is within the box round its surface, widened by what its wall measures. The other side of the wall is no further from the surface than it is thick; levels are off the lowest or highest point of the foot by the base
     /// and the height of the ring; what is led to a level stays where it is across the axis; the edge of a drain is half its width from the middle, and that of a ring its width from the foot; all else is straight between two of these. Round a sharp ring, though, the other side is mitred,
     /// and goes as far as its angle says.
-    pub(super) fn reach(&self, motion: &Motion) -> Option<Bounds> {
+    pub(super) fn reach(&self, motion: &Isometry) -> Option<Bounds> {
         let bounds = motion.bounds(&self.reach?);
-        let most = bounds.low.abs().max(bounds.high.abs()).max_element();
-        (most < LARGE && bounds.size() > 1.0 / LARGE).then_some(bounds)
+        (bounds.far() < LARGE && bounds.size() > 1.0 / LARGE).then_some(bounds)
     }
 }
 
@@ -79,11 +76,6 @@ fn reach(solution: &Solution, wall: &Wall, surface: &[Tile]) -> Option<Bounds> {
     let reach = MARGIN * DVec3::new(across, across, wall.thickness + wall.base + height);
     let all = surface.iter().fold(Bounds::NOTHING, |all, tile| all.with(tile.bounds()));
     is_smooth.then(|| Bounds { low: all.low - reach, high: all.high + reach })
-}
-
-/// Whether something stands where it stood before it was placed, but for its scale.
-fn is_unmoved(place: &Placement) -> bool {
-    place.angle == 0.0 && place.shift == [0.0; 3]
 }
 
 /// Whether two parts differ in nothing but where they stand.
@@ -119,7 +111,8 @@ impl Solution {
         if self.part(index)?.solved().octant().is_some() {
             return Ok(None);
         }
-        let first = self.design().parts().iter().position(|other| is_unmoved(&other.place) && is_alike(other, part));
+        let first =
+            self.design().parts().iter().position(|other| other.place == other.place.still() && is_alike(other, part));
         Ok(match first {
             Some(first) if first == index => None,
             Some(first) => self.in_space(first).ok(),
@@ -134,7 +127,7 @@ impl Solution {
             let (parts, unit) = (self.design().parts(), self.design().unit());
             let before = before.get::<Stills>().filter(|before| before.unit == unit);
             let known = before.map(|before| before.known.of(|of| parts.iter().any(|part| is_alike(of, part))));
-            kept.keep(Stills { unit, known: known.unwrap_or_else(|| Newest::new(MOST)) });
+            kept.keep(Stills { unit, known: known.unwrap_or_else(|| Newest::new(written::PARTS)) });
         }
         kept.get()
     }
@@ -212,7 +205,7 @@ mod tests {
     #[test]
     fn what_is_moved_answers_as_it_does_where_it_was() {
         let place = Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{{ {CUP}, "place": {MOVED} }}] }}"#)).unwrap();
-        let motion = Motion::of(&place.parts()[0].place);
+        let motion = Isometry::of(&place.parts()[0].place);
         let still = answers(&scene(&["{}"]), 0, |at| at);
         let moved = answers(&scene(&[MOVED]), 0, |at| motion.point(at));
         assert!(still.len() > 150 && still.len() == moved.len(), "{} {}", still.len(), moved.len());

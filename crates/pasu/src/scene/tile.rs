@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::border::{Beyond, Border, Jet};
 use super::bounds::Bounds;
-use super::motion::Motion;
+use super::isometry::Isometry;
 use crate::numeric::triangle::Triangle;
 use crate::patch::Cell;
 
@@ -28,6 +28,11 @@ const ROUNDING: f64 = 8e-16;
 /// What bends by more than this part of its length is halved across the bend; all else across the length.
 const BENT: f64 = 0.05;
 
+/// The largest coordinate of corners, whatever its sign.
+fn far(corners: &[DVec3; 4]) -> f64 {
+    corners.iter().fold(0.0f64, |most, corner| most.max(corner.abs().max_element()))
+}
+
 impl Tile {
     /// A cell of a piece of the border.
     pub(super) fn of(borders: &[Border], border: usize, cell: Cell) -> Tile {
@@ -37,9 +42,8 @@ impl Tile {
     }
 
     fn with(borders: &[Border], border: usize, cell: Cell, corners: [DVec3; 4]) -> Tile {
-        let size = corners.iter().fold(0.0f64, |most, corner| most.max(corner.abs().max_element()));
         let (deviation, bends) = borders[border].enclosed(cell, corners);
-        let deviation = deviation + ROUNDING * size;
+        let deviation = deviation + ROUNDING * far(&corners);
         // What is no number encloses everything.
         let deviation = if deviation.is_finite() { deviation } else { f64::INFINITY };
         Tile { border, cell, corners, deviation, bends }
@@ -47,24 +51,21 @@ impl Tile {
 
     /// How much further it reaches in a direction than its corners at most, and whether halves along `u` would less than those along `v`, where one is known to be better.
     pub(super) fn beyond(&self, borders: &[Border], direction: DVec3) -> (f64, Option<bool>) {
-        let size = self.corners.iter().fold(0.0f64, |most, corner| most.max(corner.abs().max_element()));
         let Beyond { by, bends } = borders[self.border].beyond(self.cell, self.corners, direction);
-        let by = by + ROUNDING * size;
+        let by = by + ROUNDING * far(&self.corners);
         let is_along = bends.filter(|[along, round]| along != round).map(|[along, round]| along > round);
         // What is no number is no bound.
         if by < self.deviation { (by, is_along) } else { (self.deviation, is_along) }
     }
 
     /// The same tile of what is turned, then moved: how it bends stays as it was.
-    pub(super) fn moved(&self, motion: &Motion) -> Tile {
-        if *motion == Motion::NONE {
+    pub(super) fn moved(&self, motion: &Isometry) -> Tile {
+        if *motion == Isometry::NONE {
             return *self;
         }
         let corners = self.corners.map(|corner| motion.point(corner));
-        let far =
-            |corners: [DVec3; 4]| corners.iter().fold(0.0f64, |most, corner| most.max(corner.abs().max_element()));
         // Corners are those of the moved border to rounding, before it was moved and after.
-        let deviation = self.deviation + 2.0 * ROUNDING * (far(corners) + far(self.corners));
+        let deviation = self.deviation + 2.0 * ROUNDING * (far(&corners) + far(&self.corners));
         Tile { corners, deviation, ..*self }
     }
 

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use super::kept::Kept;
 use super::placed::Placed;
 use super::solved::Solved;
-use crate::design::{Design, Part, Placement, numbers_of};
+use crate::design::{Design, Part, numbers_of};
 use crate::error::{Code, Error, Result};
 
 /// A design with the closed form of its parts. Each part is solved when something is first asked of it, and never again, however much is asked; so is the body that is made of it settled once.
@@ -210,7 +210,7 @@ impl Solution {
     /// As [`Solution::part`].
     pub(crate) fn alone(&self, index: usize) -> Result<Solution> {
         let (placed, (_, part)) = (self.part(index)?, self.existing(index)?);
-        let place = Placement { scale: part.place.scale, ..Placement::default() };
+        let place = part.place.still();
         let mut alone = Solution::of(&self.design.of_one(Part { place, ..part.clone() }));
         alone.parts = vec![OnceLock::from(Ok(Arc::new(Placed::of(placed.shared(), &place, 0))))];
         Ok(alone)

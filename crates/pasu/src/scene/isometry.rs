@@ -1,25 +1,25 @@
-//! How a part is turned and moved once it is scaled.
+//! How a part is turned and moved once it is scaled, as what is done to points.
 
 use glam::{DMat3, DVec3};
 
 use super::bounds::Bounds;
 use crate::design::Placement;
 
-/// How something is turned, then moved.
+/// A turn, then a shift.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Motion {
+pub(super) struct Isometry {
     turn: DMat3,
     shift: DVec3,
 }
 
-impl Motion {
-    /// What stays where it is: to the bit.
-    pub(super) const NONE: Motion = Motion { turn: DMat3::IDENTITY, shift: DVec3::ZERO };
+impl Isometry {
+    /// What leaves everything where it is: to the bit.
+    pub(super) const NONE: Isometry = Isometry { turn: DMat3::IDENTITY, shift: DVec3::ZERO };
 
     /// That of a placement, but for its scale.
-    pub(super) fn of(place: &Placement) -> Motion {
+    pub(super) fn of(place: &Placement) -> Isometry {
         let rows = Placement { scale: [1.0; 3], ..*place }.matrix();
-        Motion { turn: DMat3::from_cols_array_2d(&rows).transpose(), shift: DVec3::from_array(place.shift) }
+        Isometry { turn: DMat3::from_cols_array_2d(&rows).transpose(), shift: DVec3::from_array(place.shift) }
     }
 
     /// Where a point comes to be.
@@ -42,11 +42,7 @@ impl Motion {
 
     /// The box round a box where that comes to be.
     pub(super) fn bounds(&self, bounds: &Bounds) -> Bounds {
-        let corner = |i: usize| {
-            let pick = |axis: usize| if i >> axis & 1 == 0 { bounds.low[axis] } else { bounds.high[axis] };
-            self.point(DVec3::new(pick(0), pick(1), pick(2)))
-        };
-        let bounds = Bounds::of(&core::array::from_fn::<DVec3, 8, _>(corner));
-        bounds.wider(1e-14 * bounds.low.abs().max(bounds.high.abs()).max_element())
+        let bounds = Bounds::of(&bounds.corners().map(|corner| self.point(corner)));
+        bounds.wider(1e-14 * bounds.far())
     }
 }
