@@ -4,14 +4,18 @@ use std::collections::BinaryHeap;
 
 use glam::DVec3;
 
+use super::border::Border;
 use super::boxes::Within;
 use super::budget::Budget;
 use super::open::Open;
-use super::space::Space;
+use super::space::{Space, Tiles};
 use super::tile::Tile;
 
 /// The most boxes and tiles that are looked at for how far a part reaches in one direction.
 const MOST: usize = 4000;
+
+/// So many boxes that are halved count as one pair of tiles.
+const BOXES: u32 = 8;
 
 /// What is still to be looked at.
 enum What {
@@ -23,28 +27,44 @@ enum What {
 impl Space {
     /// How far the part reaches in a direction at most, to within `enough` unless that takes too long, and the furthest place that was seen.
     pub(super) fn reach(&self, direction: DVec3, enough: f64, budget: &mut Budget) -> (f64, DVec3) {
-        if let Some(reach) = self.reach_by_formula(direction) {
-            return reach;
-        }
-        let tiles = self.tiles();
+        let by_formula = self.reach_by_formula(direction);
+        by_formula.unwrap_or_else(|| self.tiles().reach(&self.borders, direction, enough, budget))
+    }
+}
+
+impl Tiles {
+    /// The same of what they enclose; their borders are these.
+    pub(super) fn reach(&self, borders: &[Border], direction: DVec3, enough: f64, budget: &mut Budget) -> (f64, DVec3) {
         let of_tile = |tile: &Tile| {
             let corners = tile.corners.map(|at| (at.dot(direction), at));
             corners.into_iter().fold(corners[0], |most, corner| if corner.0 > most.0 { corner } else { most })
         };
         let of_node = |node: u32| {
-            let bounds = tiles.boxes.bounds(node);
+            let bounds = self.boxes.bounds(node);
             let farthest = DVec3::select(direction.cmpge(DVec3::ZERO), bounds.high, bounds.low);
             farthest.dot(direction)
         };
         let mut open = BinaryHeap::new();
         // The furthest first.
         let entry = |most: f64, of: What| Open { least: -most, rank: 0.0, of };
-        open.extend(tiles.boxes.root().map(|root| entry(of_node(root), What::Node(root))));
-        let mut reached = (f64::NEG_INFINITY, self.bounds.middle());
+        open.extend(self.boxes.root().map(|root| entry(of_node(root), What::Node(root))));
+        let middle = self.boxes.root().map_or(DVec3::ZERO, |root| self.boxes.bounds(root).middle());
+        let mut reached = (f64::NEG_INFINITY, middle);
+        let mut n_boxes = 0;
         for _ in 0..MOST {
             let Some(Open { least, of, .. }) = open.pop() else { break };
             let most = -least;
-            if most <= reached.0 + enough || !budget.take(1) {
+            if most <= reached.0 + enough {
+                return (most, reached.1);
+            }
+            let is_paid = match &of {
+                What::Node(node) if matches!(self.boxes.within(*node), Within::Halves(_)) => {
+                    n_boxes += 1;
+                    n_boxes % BOXES > 0 || budget.take(1)
+                }
+                _ => budget.take(1),
+            };
+            if !is_paid {
                 return (most, reached.1);
             }
             let mut look = |tile: Tile| {
@@ -53,19 +73,19 @@ impl Space {
                     reached = (corner, at);
                 }
                 let (beyond, is_along) = match tile.deviation > enough {
-                    true => tile.beyond(&self.borders, direction),
+                    true => tile.beyond(borders, direction),
                     false => (tile.deviation, None),
                 };
                 open.push(entry((corner + beyond).min(most), What::Tile(Box::new(tile), is_along)));
             };
             match of {
-                What::Node(node) => match tiles.boxes.within(node) {
-                    Within::Thing(tile) => look(tiles.all[tile]),
+                What::Node(node) => match self.boxes.within(node) {
+                    Within::Thing(tile) => look(self.all[tile]),
                     Within::Halves(halves) => {
                         open.extend(halves.map(|half| entry(of_node(half).min(most), What::Node(half))));
                     }
                 },
-                What::Tile(tile, is_along) => match tile.halves_along(&self.borders, is_along) {
+                What::Tile(tile, is_along) => match tile.halves_along(borders, is_along) {
                     Some(halves) => halves.into_iter().for_each(look),
                     None => return (most, reached.1),
                 },

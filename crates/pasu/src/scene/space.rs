@@ -59,6 +59,13 @@ pub(super) struct Tiles {
     pub(super) boxes: Boxes,
 }
 
+impl Tiles {
+    pub(super) fn new(all: Vec<Tile>) -> Tiles {
+        let bounds: Vec<Bounds> = all.iter().map(Tile::bounds).collect();
+        Tiles { boxes: Boxes::new(&bounds), all }
+    }
+}
+
 impl Space {
     fn new(solution: &Solution, part: usize) -> Result<Space> {
         let placed = Arc::clone(solution.part(part)?);
@@ -180,8 +187,7 @@ impl Space {
                 Some((still, motion)) => still.tiles().all.iter().map(|tile| tile.moved(motion)).collect(),
                 None => tiled(&self.borders, MOST_TILES),
             };
-            let bounds: Vec<Bounds> = all.iter().map(Tile::bounds).collect();
-            Tiles { boxes: Boxes::new(&bounds), all }
+            Tiles::new(all)
         })
     }
 

@@ -6,8 +6,9 @@ use glam::DVec3;
 
 use super::border::Border;
 use super::bounds::Bounds;
+use super::budget::Budget;
 use super::isometry::Isometry;
-use super::space::{Space, tiled};
+use super::space::{Space, Tiles, tiled};
 use super::tile::Tile;
 use crate::design::{Part, Unit, Wall, written};
 use crate::error::Result;
@@ -17,6 +18,12 @@ use crate::watch;
 
 /// The most tiles by which a surface is enclosed where its body may not be wanted: a quarter of those that a body has.
 const FEW_TILES: usize = 128;
+
+/// The box is wider than the surface by no more than this part of its size along each axis, unless that takes too many steps.
+const CLOSE: f64 = 1.0 / 64.0;
+
+/// The most steps towards how far a surface reaches in one direction.
+const MOST_STEPS: u64 = 200;
 
 /// So many times what a wall measures it is taken to reach. No face goes further than once.
 const MARGIN: f64 = 1.25;
@@ -44,8 +51,9 @@ struct Stills {
 impl Still {
     fn new(solution: Solution) -> Result<Still> {
         let (placed, (_, part)) = (solution.part(0)?, solution.existing(0)?);
-        let surface = part.wall.map(|_| tiled(&Border::patches(placed), FEW_TILES)).unwrap_or_default();
-        let reach = part.wall.and_then(|wall| reach(&solution, &wall, &surface));
+        let borders = Border::patches(placed);
+        let surface = part.wall.map(|_| tiled(&borders, FEW_TILES)).unwrap_or_default();
+        let reach = part.wall.and_then(|wall| reach(&solution, &wall, &borders, &surface));
         Ok(Still { surface, reach, solution })
     }
 
@@ -66,16 +74,23 @@ impl Still {
 }
 
 /// As [`Still::reach`], of a part that stands upright.
-fn reach(solution: &Solution, wall: &Wall, surface: &[Tile]) -> Option<Bounds> {
+fn reach(solution: &Solution, wall: &Wall, borders: &[Border], surface: &[Tile]) -> Option<Bounds> {
     if wall.lining.is_some() || solution.has_shell(0, Product::Pot).is_ok_and(|is_shell| is_shell) {
         return None;
     }
     let is_smooth = Upright::new(solution.part(0).ok()?).is_some_and(|upright| upright.stretches().len() == 1);
+    if !is_smooth {
+        return None;
+    }
     let [width, height] = wall.foot.unwrap_or([0.0; 2]);
     let across = wall.thickness + width + 0.5 * wall.drain;
     let reach = MARGIN * DVec3::new(across, across, wall.thickness + wall.base + height);
-    let all = surface.iter().fold(Bounds::NOTHING, |all, tile| all.with(tile.bounds()));
-    is_smooth.then(|| Bounds { low: all.low - reach, high: all.high + reach })
+    // Tiles are so few that boxes round them are far too wide for what stands close together.
+    let tiles = Tiles::new(surface.to_vec());
+    let enough = CLOSE * surface.iter().fold(Bounds::NOTHING, |all, tile| all.with(tile.bounds())).size();
+    let furthest = |direction: DVec3| tiles.reach(borders, direction, enough, &mut Budget::new(MOST_STEPS)).0;
+    let [low, high] = [-1.0, 1.0].map(|sign| sign * DVec3::from_array(DVec3::AXES.map(|axis| furthest(sign * axis))));
+    Some(Bounds { low: low - reach, high: high + reach })
 }
 
 /// Whether two parts differ in nothing but where they stand.

@@ -412,7 +412,6 @@ fn pots_that_go_through_each_other_are_told() {
     assert!(found[0].distance.unwrap() > 1e-4, "{found:?}");
 }
 
-/// A block in the hole of a torus is within the box of that, and far from it; another block is all but as near as a box tells. It is the block that is nearest, and the distance is to that.
 /// Pots of one kind on a table, each turned and so far from the next that it runs into all about it.
 #[test]
 fn pots_that_stand_in_each_other_by_the_dozen_are_told() {
@@ -455,6 +454,25 @@ fn under_a_coarse_slack_walls_that_are_thicker_are_told_as_under_a_fine_one() {
     }
 }
 
+/// Five hundred pots of eight kinds in rows, three tenths of a centimetre apart at least.
+#[test]
+fn hundreds_of_pots_that_stand_close_to_each_other_are_told_to_be_apart() {
+    let pots: Vec<Value> = (0..500)
+        .map(|i| {
+            let (column, row) = (i % 25, i / 25);
+            let kind = f64::from((3 * column + 5 * row) % 8);
+            json!({
+                "object": i,
+                "shape": { "kind": "second-order", "r": [8.0 + 0.1 * kind, 0.25, 5.5, 0.3], "height": 14.0 + 0.5 * kind },
+                "wall": { "thickness": 0.4, "base": 0.5 },
+                "place": { "shift": [17.9 * f64::from(column), 17.9 * f64::from(row), 0.1 * f64::from(row)] }
+            })
+        })
+        .collect();
+    assert_eq!(told(&scene(&pots)).len(), 0);
+}
+
+/// A block in the hole of a torus is within the box of that, and far from it; another block is all but as near as a box tells. It is the block that is nearest, and the distance is to that.
 #[test]
 fn the_nearest_of_others_is_told_by_more_than_boxes() {
     let ring = json!({ "object": 0, "shape": torus(4, 4) });
