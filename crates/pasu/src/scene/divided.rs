@@ -46,21 +46,36 @@ impl Space {
         if !budget.take(LOOKED) {
             return None;
         }
-        let rounding = ROUNDING * self.bounds.far().max(other.bounds.far());
         let room_across = |axis: DVec3, budget: &mut Budget| {
             // Corners are places of the borders: of most axes they tell that there is no room.
-            let room = self.room(other, axis) - rounding;
-            if !(room > slack) {
-                return None;
-            }
-            let enough = 0.25 * (room - slack);
-            let least = -self.reach(axis, enough, budget).0 - other.reach(-axis, enough, budget).0 - rounding;
-            (least > slack).then_some(least)
+            self.room_across(other, axis, self.room(other, axis), slack, budget)
         };
         let found = self.axes(other).into_iter().find_map(|axis| room_across(axis, budget));
         // Of two octants their formulas have told that already.
         let are_octants = self.octant().is_some() && other.octant().is_some();
         found.or_else(|| if are_octants { None } else { room_across(self.way(other, slack, budget)?, budget) })
+    }
+
+    /// The same across the axes of the scene alone, where boxes round their corners tell without a look at these that there may be room: what stands beside something else.
+    pub(super) fn divided_at_once(&self, other: &Space, slack: f64, budget: &mut Budget) -> Option<f64> {
+        let sides = [(other.corners.low - self.corners.high, 1.0), (self.corners.low - other.corners.high, -1.0)];
+        sides.into_iter().find_map(|(rooms, sign)| {
+            let axes = rooms.to_array().into_iter().zip(DVec3::AXES);
+            let (room, axis) = axes.max_by(|(one, _), (other, _)| one.total_cmp(other))?;
+            self.room_across(other, sign * axis, room, slack, budget)
+        })
+    }
+
+    /// How much room there is between two parts along an axis at least, if that is more than the slack, where their corners leave this.
+    fn room_across(&self, other: &Space, axis: DVec3, room: f64, slack: f64, budget: &mut Budget) -> Option<f64> {
+        let rounding = ROUNDING * self.bounds.far().max(other.bounds.far());
+        let room = room - rounding;
+        if !(room > slack) {
+            return None;
+        }
+        let enough = 0.25 * (room - slack);
+        let least = -self.reach(axis, enough, budget).0 - other.reach(-axis, enough, budget).0 - rounding;
+        (least > slack).then_some(least)
     }
 
     /// The direction towards another part in which there is most room between the corners of both, about, if there is more than the slack: by [Gilbert's steps](gilbert).

@@ -150,6 +150,12 @@ impl Space {
             touch: None,
             n_touches: 0,
         };
+        if !are_octants
+            && !is_distance_sought
+            && let Some(least) = self.divided_at_once(other, slack, budget)
+        {
+            return (Meeting::Apart { least }, false);
+        }
         let both = [(self, other), (other, self)];
         let cores = both.into_iter().find_map(|(one, outer)| {
             let at = one.core()?;

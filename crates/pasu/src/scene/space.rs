@@ -44,6 +44,8 @@ pub(super) struct Space {
     /// Of an octant, its frame.
     inverse: Option<DMat3>,
     pub(super) bounds: Bounds,
+    /// Round the corners of its tiles alone; all of an octant.
+    pub(super) corners: Bounds,
     tiles: OnceLock<Tiles>,
     pub(super) halvings: Halvings,
     core: OnceLock<Option<DVec3>>,
@@ -85,19 +87,22 @@ impl Space {
             placed,
             still,
             bounds: Bounds::NOTHING,
+            corners: Bounds::NOTHING,
             tiles: OnceLock::new(),
             halvings: Halvings::default(),
             core: OnceLock::new(),
             places: OnceLock::new(),
             meridian: OnceLock::new(),
         };
-        space.bounds = match space.inverse {
+        [space.bounds, space.corners] = match space.inverse {
             Some(_) => {
                 let unit = Bounds { low: DVec3::ZERO, high: DVec3::ONE };
                 let bounds = Bounds::of(&unit.corners().map(|corner| space.placed_point(corner)));
-                bounds.wider(1e-15 * bounds.far())
+                [bounds.wider(1e-15 * bounds.far()); 2]
             }
-            None => space.tiles().all.iter().fold(Bounds::NOTHING, |all, tile| all.with(tile.bounds())),
+            None => space.tiles().all.iter().fold([Bounds::NOTHING; 2], |[all, corners], tile| {
+                [all.with(tile.bounds()), corners.with(Bounds::of(&tile.corners))]
+            }),
         };
         let (size, most) = (space.bounds.size(), space.bounds.far());
         if !(size > 1.0 / LARGEST && most < LARGEST) {
