@@ -16,7 +16,7 @@ use crate::watch;
 /// A ray that touches without going through does not meet. Places of one part that are nearer than 1e-9 of its size are one, as where a ray meets an edge.
 ///
 /// # Errors
-/// What is refused of a part, with its path; `not-finite` and `out-of-range` for a ray that is none; `overflow` for a part that is beyond 1e100; `too-large` for a ray that goes along the surface of a part so closely that it takes too long to tell.
+/// What is refused of a part, with its path; `not-finite` and `out-of-range` for a ray that is none; `overflow` for a part that is beyond 1e100; `too-large` for a ray that goes along the surface of a part, or meets it where it folds, so closely that it takes too long to tell.
 ///
 /// ```
 /// use pasu::{Design, Ray, pick};
@@ -84,7 +84,7 @@ impl Solution {
         }
         watch::go_on()?;
         if let Some(part) = unclear {
-            let message = "the ray goes along the surface of this part, so closely that it takes too long to tell where it meets it: expected another direction";
+            let message = "the ray goes along the surface of this part, or meets it where it folds, so closely that it takes too long to tell where: expected another direction, or a surface that does not run through itself";
             return Err(Error::new(Code::TooLarge, format!("parts[{part}]"), message).with("what", "ray"));
         }
         hits.sort_by(|one, other| one.distance.total_cmp(&other.distance).then(one.part.cmp(&other.part)));
