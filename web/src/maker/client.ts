@@ -37,6 +37,7 @@ const ORDER: readonly Kind[] = [
   "together",
   "push",
   "open",
+  "faces",
   "write",
   "quick",
   "water",

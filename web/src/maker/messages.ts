@@ -31,6 +31,7 @@ import type { Bounds } from "../solver/bounds";
 import type * as worker from "../worker/port";
 import type { CellsAsk, MadeCells } from "./cells";
 import type { ApartAsk, Move as Clearance, TogetherAsk } from "./clearing";
+import type { ReadFaces } from "./faces";
 import type { PushAsk, Pushed } from "./pushing";
 import type { WovenAsk, WovenShape } from "./woven";
 
@@ -218,6 +219,8 @@ export type Ask =
   | { readonly kind: "water"; readonly design: Design; readonly level: number }
   | { readonly kind: "write"; readonly design: Design; readonly format: Format; readonly making: Making }
   | { readonly kind: "open"; readonly bytes: Uint8Array }
+  /** The text of an OBJ file. */
+  | { readonly kind: "faces"; readonly bytes: Uint8Array }
   | { readonly kind: "free"; readonly design: Design; readonly part: number; readonly tolerance: number }
   /** Whether no two objects run into each other, what is glued touches, and no part is inside another. */
   | { readonly kind: "constraints"; readonly design: Design }
@@ -253,6 +256,7 @@ export interface Answers {
   readonly write: Written;
   /** The link in the file and how it was made, or null when it is not one of Pasu's. */
   readonly open: Provenance | null;
+  readonly faces: ReadFaces;
   readonly free: RingedShape;
   readonly constraints: Constraints;
   readonly pick: readonly Hit[];

@@ -21,6 +21,7 @@ import {
 import type { MapName, Sent } from "../document/types";
 import { cellsOf } from "./cells";
 import { apart, together } from "./clearing";
+import { readFaces } from "./faces";
 import { holding } from "./holding";
 import { insideOf } from "./inside";
 import { liningValues } from "./lining";
@@ -70,6 +71,8 @@ export function perform({ ask }: Request, tell: (done: number) => void): Answers
       return { bytes: write(ask.design as Sent, ask.format, { ...ask.making, progress }) };
     case "open":
       return provenance(ask.bytes);
+    case "faces":
+      return readFaces(ask.bytes);
     case "pull":
       return pulling(ask);
     case "hold":

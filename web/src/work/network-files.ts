@@ -2,11 +2,14 @@
 
 import { labelOf } from "../document/label";
 import type { Network } from "../document/network/network";
-import { type ObjTrouble, readObj, writeObj } from "../document/network/obj";
+import { type ObjTrouble, writeObj } from "../document/network/obj";
 import { LIMITS } from "../document/tables.gen";
+import type { Design } from "../document/types";
 import { isolated } from "../language";
+import { networkOf } from "../maker/faces";
 import { formatNumber } from "../number";
 import { networks as words } from "../words/english/networks";
+import { refusalWords } from "../words/refusals";
 import type { Designer } from "./designer";
 import { fileName, pickFile, saveBlob } from "./files";
 
@@ -17,13 +20,13 @@ const MOST = 32 * 1024 * 1024;
 export async function openObj(designer: Designer): Promise<boolean> {
   const file = await pickFile(".obj,model/obj");
   if (!file) return false;
-  const read = await readNetwork(file);
-  if ("trouble" in read) {
+  return await designer.opening.openRead(file, async () => {
+    const read = await readNetwork(designer, file);
+    if (!read) return null;
+    if ("network" in read) return designOf(file, read.network);
     designer.notices.say(read.trouble);
-    return false;
-  }
-  openNetwork(designer, file, read.network);
-  return true;
+    return null;
+  });
 }
 
 /** What is wrong with it in words, and whether it may have been meant as a network: triangles are none. */
@@ -32,11 +35,19 @@ interface NoNetwork {
   readonly isMeant: boolean;
 }
 
-/** The network that the faces of a file are, or why they are none. */
-export async function readNetwork(file: File): Promise<{ readonly network: Network } | NoNetwork> {
+/** The network that the faces of a file are, or why they are none; null when something newer is read, or the maker cannot be fetched, which is said. */
+export async function readNetwork(
+  designer: Pick<Designer, "openMade">,
+  file: File,
+): Promise<{ readonly network: Network } | NoNetwork | null> {
   if (file.size > MOST) return { trouble: words.objTrouble.large, isMeant: false };
-  const read = readObj(await file.text());
-  if ("network" in read) return read;
+  const made = await designer.openMade();
+  if (!made) return null;
+  const outcome = await made.maker.ask({ kind: "faces", bytes: new Uint8Array(await file.arrayBuffer()) });
+  if (outcome.state === "superseded") return null;
+  if (outcome.state === "refused") return { trouble: refusalWords(outcome.refusal), isMeant: false };
+  const read = outcome.value;
+  if (!("trouble" in read)) return { network: networkOf(read) };
   const { trouble } = read;
   const isMeant = trouble.code !== "empty" && !(trouble.code === "corners" && trouble.corners === 3);
   return { trouble: objWords(trouble), isMeant };
@@ -44,8 +55,12 @@ export async function readNetwork(file: File): Promise<{ readonly network: Netwo
 
 /** Opens a network that was read of a file, as a design of its own. */
 export function openNetwork(designer: Designer, file: File, network: Network): void {
+  designer.opening.open(designOf(file, network));
+}
+
+function designOf(file: File, network: Network): Design {
   const title = labelOf(file.name.replace(/\.obj$/i, ""));
-  designer.opening.open({ pasu: 1, ...(title !== "" && { title }), parts: [{ shape: network }] });
+  return { pasu: 1, ...(title !== "" && { title }), parts: [{ shape: network }] };
 }
 
 function objWords(trouble: ObjTrouble): string {

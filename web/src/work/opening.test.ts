@@ -225,3 +225,24 @@ test("opening can be stopped while the file is read, and while it waits to be dr
     expect(surface.shown?.solved.facts?.height).toBeCloseTo(50);
   }
 });
+
+test("what something else reads of a file is underway until it is on the stage, and is not opened where that was stopped", async () => {
+  const { opening, rests, store } = bench();
+  await opening.start();
+  await rests();
+  const file = new File(["v 0 0 0"], "roof.obj");
+  const higher = tall(JAR, 44);
+  const reading = opening.openRead(file, async () => higher);
+  expect(opening.underway).toEqual({ name: "roof.obj", bytes: 7, design: null });
+  expect(await reading).toBe(true);
+  expect([store.design, opening.underway?.design]).toEqual([higher, store.design]);
+  await rests();
+  expect(opening.underway).toBeNull();
+  // Nothing, and a file that cannot be read.
+  expect(await opening.openRead(file, async () => null)).toBe(false);
+  expect(await opening.openRead(file, () => Promise.reject(new Error("gone")))).toBe(false);
+  const stopped = opening.openRead(file, async () => tall(JAR, 45));
+  opening.stop();
+  expect(await stopped).toBe(false);
+  expect([store.design, opening.underway]).toEqual([higher, null]);
+});

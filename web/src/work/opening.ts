@@ -176,6 +176,17 @@ export class Opening {
     if (this.#underway.peek() === underway) this.#underway.value = null;
   }
 
+  /** Opens the design that something else reads of a file, unless that finds none; whether it did. */
+  async openRead(file: File, read: () => Promise<Design | null>): Promise<boolean> {
+    const underway: Underway = { name: file.name, bytes: file.size, design: null };
+    this.#underway.value = underway;
+    const design = await read().catch(() => null);
+    if (this.#underway.peek() !== underway) return false;
+    if (design) this.open(design);
+    this.#underway.value = design ? { ...underway, design: this.#store.design } : null;
+    return design !== null;
+  }
+
   async #openText(
     text: string,
     asLink: boolean,

@@ -219,7 +219,7 @@ export class PasuScan extends DesignerElement {
 
   /** A network that was saved as OBJ is no scan, and quads may be either. */
   private async lookForPatches(file: File): Promise<void> {
-    const read = await readNetwork(file).catch(() => null);
+    const read = await readNetwork(this.designer, file).catch(() => null);
     if (this.reading !== file || read === null) return;
     if ("network" in read) this.network = { file, network: read.network };
     else if (read.isMeant) this.unpatched = words.unpatched(read.trouble);
