@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { NETWORKED } from "../document/gallery/networks";
 import { readObj, writeObj } from "../document/network/obj";
-import { networkOf, readFaces } from "./faces";
+import { networkOfFaces, readFaces } from "./faces";
 
 const read = (text: string) => readFaces(new TextEncoder().encode(text));
 
@@ -12,7 +12,7 @@ test.each(NETWORKED.map(({ id, shape }) => [id, shape] as const))(
     const text = writeObj(shape);
     const faces = read(text);
     if ("trouble" in faces) throw new Error(faces.trouble.code);
-    expect({ network: networkOf(faces) }).toEqual(readObj(text));
+    expect({ network: networkOfFaces(faces) }).toEqual(readObj(text));
   },
 );
 

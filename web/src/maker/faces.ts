@@ -23,7 +23,7 @@ export function readFaces(bytes: Uint8Array): ReadFaces {
   return { points, frames };
 }
 
-export function networkOf({ points, frames }: Faces): Network {
+export function networkOfFaces({ points, frames }: Faces): Network {
   const at = (index: number) => points[index] as number;
   const vertices = Array.from({ length: points.length / 3 }, (_, index): Triple => {
     const first = 3 * index;

@@ -6,7 +6,7 @@ import { type ObjTrouble, writeObj } from "../document/network/obj";
 import { LIMITS } from "../document/tables.gen";
 import type { Design } from "../document/types";
 import { isolated } from "../language";
-import { networkOf } from "../maker/faces";
+import { networkOfFaces } from "../maker/faces";
 import { formatNumber } from "../number";
 import { networks as words } from "../words/english/networks";
 import { refusalWords } from "../words/refusals";
@@ -47,7 +47,7 @@ export async function readNetwork(
   if (outcome.state === "superseded") return null;
   if (outcome.state === "refused") return { trouble: refusalWords(outcome.refusal), isMeant: false };
   const read = outcome.value;
-  if (!("trouble" in read)) return { network: networkOf(read) };
+  if (!("trouble" in read)) return { network: networkOfFaces(read) };
   const { trouble } = read;
   const isMeant = trouble.code !== "empty" && !(trouble.code === "corners" && trouble.corners === 3);
   return { trouble: objWords(trouble), isMeant };
