@@ -38,3 +38,15 @@ test("nothing is read where the maker cannot be fetched, or was asked for someth
   held.maker.cancel("faces");
   expect(await reading).toBeNull();
 });
+
+test("what is wrong with a file is not told once it was stopped, and it is read no further", async () => {
+  const held = designer({ free: false });
+  const opening = new AbortController();
+  const reading = readNetwork(held, file(""), opening.signal);
+  await settled();
+  expect(held.maker.busy).toBe(true);
+  opening.abort();
+  expect(await reading).toBeNull();
+  expect(held.maker.busy).toBe(false);
+  expect(await readNetwork(designer(), file(""), opening.signal)).toBeNull();
+});

@@ -20,8 +20,8 @@ const MOST = 32 * 1024 * 1024;
 export async function openObj(designer: Designer): Promise<boolean> {
   const file = await pickFile(".obj,model/obj");
   if (!file) return false;
-  return await designer.opening.openRead(file, async () => {
-    const read = await readNetwork(designer, file);
+  return await designer.opening.openRead(file, async (stopped) => {
+    const read = await readNetwork(designer, file, stopped);
     if (!read) return null;
     if ("network" in read) return designOf(file, read.network);
     designer.notices.say(read.trouble);
@@ -35,15 +35,22 @@ interface NoNetwork {
   readonly isMeant: boolean;
 }
 
-/** The network that the faces of a file are, or why they are none; null when something newer is read, or the maker cannot be fetched, which is said. */
+/** The network that the faces of a file are, or why they are none; null when it is stopped, something newer is read, or the maker cannot be fetched, which is said. */
 export async function readNetwork(
   designer: Pick<Designer, "openMade">,
   file: File,
+  stopped?: AbortSignal,
 ): Promise<{ readonly network: Network } | NoNetwork | null> {
   if (file.size > MOST) return { trouble: words.objTrouble.large, isMeant: false };
   const made = await designer.openMade();
   if (!made) return null;
-  const outcome = await made.maker.ask({ kind: "faces", bytes: new Uint8Array(await file.arrayBuffer()) });
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  if (stopped?.aborted) return null;
+  const { maker } = made;
+  const cancel = () => maker.cancel("faces");
+  stopped?.addEventListener("abort", cancel);
+  const outcome = await maker.ask({ kind: "faces", bytes });
+  stopped?.removeEventListener("abort", cancel);
   if (outcome.state === "superseded") return null;
   if (outcome.state === "refused") return { trouble: refusalWords(outcome.refusal), isMeant: false };
   const read = outcome.value;

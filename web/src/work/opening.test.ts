@@ -241,8 +241,18 @@ test("what something else reads of a file is underway until it is on the stage, 
   // Nothing, and a file that cannot be read.
   expect(await opening.openRead(file, async () => null)).toBe(false);
   expect(await opening.openRead(file, () => Promise.reject(new Error("gone")))).toBe(false);
-  const stopped = opening.openRead(file, async () => tall(JAR, 45));
+  const signals: AbortSignal[] = [];
+  const read = async (signal: AbortSignal) => {
+    signals.push(signal);
+    return tall(JAR, 45);
+  };
+  const stopped = opening.openRead(file, read);
   opening.stop();
   expect(await stopped).toBe(false);
+  // Another file takes its place as well.
+  const late = opening.openRead(file, read);
+  const taken = opening.openRead(file, async () => null);
+  expect([await late, await taken]).toEqual([false, false]);
+  expect(signals.map(({ aborted }) => aborted)).toEqual([true, true]);
   expect([store.design, opening.underway]).toEqual([higher, null]);
 });

@@ -40,6 +40,8 @@ export class Opening {
     making: null,
     replaced: null,
   });
+  /** Ends what is read of the file under way. */
+  #reading = new AbortController();
   #begun = false;
   /** The design that was followed last. */
   #last: Design;
@@ -79,6 +81,7 @@ export class Opening {
     const underway = this.#underway.peek();
     if (!underway) return;
     this.#underway.value = null;
+    this.#reading.abort();
     this.#solver.halt();
     if (underway.design && underway.design === this.#store.design) this.#store.undo();
   }
@@ -163,8 +166,7 @@ export class Opening {
 
   /** Opens a document, or anything that Pasu made and that holds its link. */
   async openFile(file: File): Promise<void> {
-    const underway: Underway = { name: file.name, bytes: file.size, design: null };
-    this.#underway.value = underway;
+    const { underway } = this.#take(file);
     const found = await import("./open-file").then(
       ({ readFile }) => readFile(file, this.#maker),
       () => null,
@@ -176,15 +178,23 @@ export class Opening {
     if (this.#underway.peek() === underway) this.#underway.value = null;
   }
 
-  /** Opens the design that something else reads of a file, unless that finds none; whether it did. */
-  async openRead(file: File, read: () => Promise<Design | null>): Promise<boolean> {
-    const underway: Underway = { name: file.name, bytes: file.size, design: null };
-    this.#underway.value = underway;
-    const design = await read().catch(() => null);
+  /** Opens the design that something else reads of a file, unless that finds none; whether it did. It is told when it is stopped, or another file is given. */
+  async openRead(file: File, read: (stopped: AbortSignal) => Promise<Design | null>): Promise<boolean> {
+    const { underway, stopped } = this.#take(file);
+    const design = await read(stopped).catch(() => null);
     if (this.#underway.peek() !== underway) return false;
     if (design) this.open(design);
     this.#underway.value = design ? { ...underway, design: this.#store.design } : null;
     return design !== null;
+  }
+
+  /** A file is under way from now on, and none that was before. */
+  #take({ name, size }: File): { readonly underway: Underway; readonly stopped: AbortSignal } {
+    this.#reading.abort();
+    this.#reading = new AbortController();
+    const underway: Underway = { name, bytes: size, design: null };
+    this.#underway.value = underway;
+    return { underway, stopped: this.#reading.signal };
   }
 
   async #openText(

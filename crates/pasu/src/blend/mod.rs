@@ -3,7 +3,7 @@
 //! The cubic between the sections meets all that is given. What it leaves of the equation is taken away by sines that vanish on the border ([`ripple`]), or is not there to begin with, where every harmonic is solved as the mode problem
 //! that it is.
 
-mod cubic;
+mod fading;
 mod function;
 mod inside;
 mod outline;

@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use glam::DVec2;
 use nalgebra::{DMatrix, DVector};
 
-use super::cubic::fading;
+use super::fading::fading;
 use super::section::Product;
 use super::sines::Sines;
 use crate::mode::{Equation, ModeData, ModeSolution, Order, Unsolvable};

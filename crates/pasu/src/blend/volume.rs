@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::cubic::{fading, through};
+use super::fading::fading;
 use super::function::Function;
 use super::ripple::{Asked, Ripple};
 use super::section::{Product, products};
@@ -12,6 +12,7 @@ use super::sines;
 use crate::design::{Blend, Method, Section};
 use crate::error::{Code, Error, Result};
 use crate::mode::{Equation, ModeData, Order, Unsolvable};
+use crate::numeric::cubic;
 use crate::patch::SurfaceJet;
 
 /// `x(u, v, w)` over the unit cube, with `w` from one section to the other (ZY04): `a x_uuuu + b x_vvvv + c x_wwww = 0` with positions and tangents given at `w = 0` and `w = 1`.
@@ -60,7 +61,7 @@ impl Volume {
         let both = [start, end];
         let sections = both.map(|section| products(&section.form));
         let tapers = both.map(|section| section.taper);
-        let z = Function::Cubic(through(both.map(|section| section.z), both.map(|section| section.dz)));
+        let z = Function::Cubic(cubic::through(both.map(|section| section.z), both.map(|section| section.dz)));
         let mut volume =
             Volume { terms: Vec::new(), functions: Default::default(), z, ripple: None, weights: *weights };
         let asked = Asked { sections: [&sections[0], &sections[1]], tapers, weights: *weights };

@@ -66,6 +66,11 @@ pub trait Face: Sealed + Send + Sync {
         true
     }
 
+    /// Whether it is run through against the sense of its tangents at this `v`, as what goes to an end and back is on the way back.
+    fn goes_back(&self, _v: f64) -> bool {
+        false
+    }
+
     /// Whether `jet` is that of the true face to rounding. A lining that had to be thinned is interpolated, and is not.
     fn is_exact(&self) -> bool {
         true

@@ -25,4 +25,8 @@ impl Face for Folded {
     fn outward(&self) -> f64 {
         self.0.outward()
     }
+
+    fn goes_back(&self, v: f64) -> bool {
+        v - TAU * libm::floor(v / TAU) > PI
+    }
 }

@@ -1,13 +1,13 @@
 //! What a maker measures on the outside of a pot: height, widths, overhang.
 
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
 
 use super::moments::element;
 use super::quantity::Quantity;
 use super::widths::{self, Contact, Widths};
-use crate::face::{Face, FaceJet, FaceKind};
+use crate::face::{Face, FaceJet, FaceKind, FaceWalk, Seams};
 use crate::numeric::ascend::ascend;
 use crate::numeric::climb::{Place, climb};
 use crate::numeric::grid::Grid;
@@ -19,7 +19,10 @@ pub(crate) struct Outside<'a> {
     faces: Vec<(&'a dyn Face, Grid<FaceJet>)>,
     /// These grids from above.
     plans: Vec<Plan>,
+    /// The largest coordinate, whatever its sign.
     size: f64,
+    /// From the middle of the box to its corners, wherever it stands.
+    extent: f64,
     /// The highest harmonic.
     highest: f64,
 }
@@ -62,7 +65,7 @@ impl Plan {
     }
 }
 
-/// How far a face may reach beyond the points of its grid, as a part of the size.
+/// How far a face may reach beyond the points of its grid, as a part of the extent.
 const BETWEEN: f64 = 0.01;
 
 /// An extreme of some quantity on a face.
@@ -89,6 +92,17 @@ const LEAN_ROUNDING: f64 = 1e-12;
 /// The most rows and columns of a grid over a wall that had to be thinned.
 const MOST_SEAMED: (usize, usize) = (401, 301);
 
+/// The most places from which heights are sought: more than these are of what is level.
+const FOLLOWED: usize = 24;
+
+/// In so many directions faces are held against each other.
+const DIRECTIONS: usize = 32;
+
+/// The rows and columns of a grid that meets every bump between the knots of a wall that had to be thinned.
+fn seamed(seams: &Seams) -> [usize; 2] {
+    [seams.along.len(), seams.round.len()].map(|n| 2 * n + 1)
+}
+
 /// Columns of a grid that meets every petal.
 pub(crate) fn columns(highest: f64) -> usize {
     (4 * highest.abs().clamp(1.0, 1e4) as usize + 1).max(49)
@@ -101,59 +115,95 @@ impl<'a> Outside<'a> {
         let share = if faces.len() > FEW_FACES { MOST_PLACES / faces.len() } else { usize::MAX };
         let most_rows = (libm::sqrt(share as f64) as usize).max(LEAST_LINES);
         let columns = columns(highest).min((share / most_rows).max(LEAST_LINES));
-        let sampled = |face: &'a dyn Face| {
-            let rows = match face.kind() {
-                FaceKind::Outer | FaceKind::Lining => 49.min(most_rows),
-                FaceKind::Rim => 9,
-                // Straight from one curve to another.
-                _ => 3,
-            };
+        let rows = |face: &dyn Face| match face.kind() {
+            FaceKind::Outer | FaceKind::Lining => 49.min(most_rows),
+            FaceKind::Rim => 9,
+            // Straight from one curve to another.
+            _ => 3,
+        };
+        let sampled = |face: &'a dyn Face, rows: usize, columns: usize| {
             let mut walk = face.walk();
             (face, Grid::new(rows, columns, |a, v| walk.jet(a, v)))
         };
-        let faces: Vec<_> = faces.into_iter().map(sampled).collect();
-        let points = faces.iter().flat_map(|(_, grid)| grid.points());
-        let size = points.fold(0.0f64, |size, jet| size.max(jet.position.abs().max_element()));
+        let faces: Vec<_> = faces.into_iter().map(|face| sampled(face, rows(face), columns)).collect();
+        let points = || faces.iter().flat_map(|(_, grid)| grid.points()).map(|jet| jet.position);
+        let size = points().fold(0.0f64, |size, p| size.max(p.abs().max_element()));
+        let [low, high] =
+            points().fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], p| [low.min(p), high.max(p)]);
         let plans = faces.iter().map(|(_, grid)| Plan::of(grid)).collect();
-        Outside { faces, plans, size, highest }
+        let mut outside = Outside { faces, plans, size, extent: 0.5 * (high - low).length(), highest };
+        // A wall that had to be thinned has bumps between its knots, which matter where it is outermost.
+        for (index, rows, columns) in outside.too_coarse() {
+            let finer = sampled(outside.faces[index].0, rows, columns);
+            (outside.plans[index], outside.faces[index]) = (Plan::of(&finer.1), finer);
+        }
+        outside
     }
 
-    /// The greatest extent in a direction, and where.
-    fn support(&self, direction: DVec3) -> Option<Spot> {
+    /// The faces whose knots are nearer to each other than the points of their grids, of those that reach about as far as any other in some direction; with the rows and columns that see them.
+    fn too_coarse(&self) -> Vec<(usize, usize, usize)> {
+        let finer = self.faces.iter().enumerate().filter_map(|(index, (face, grid))| {
+            let [rows, columns] = seamed(&face.seams()?);
+            // Along what is straight, or an arc, nothing is seen that is between few rows.
+            let rows =
+                if matches!(face.kind(), FaceKind::Outer | FaceKind::Lining) { rows.min(MOST_SEAMED.0) } else { 0 };
+            let finer = (index, rows.max(grid.rows()), columns.min(MOST_SEAMED.1).max(grid.columns()));
+            (finer.1 > grid.rows() || finer.2 > grid.columns()).then_some(finer)
+        });
+        let mut finer: Vec<_> = finer.collect();
+        if !finer.is_empty() {
+            let is_outermost = self.outermost();
+            finer.retain(|(index, ..)| is_outermost[*index]);
+        }
+        finer
+    }
+
+    /// Whether each face reaches about as far as any other in some direction.
+    fn outermost(&self) -> Vec<bool> {
+        let level = (0..DIRECTIONS).map(|i| direction(TAU * i as f64 / DIRECTIONS as f64).extend(0.0));
+        let mut found = vec![false; self.faces.len()];
+        for direction in level.chain([DVec3::Z, -DVec3::Z]) {
+            let reach = |grid: &Grid<FaceJet>| {
+                grid.points().iter().map(|jet| jet.position.dot(direction)).fold(f64::MIN, f64::max)
+            };
+            let reaches: Vec<f64> = self.faces.iter().map(|(_, grid)| reach(grid)).collect();
+            let near = reaches.iter().copied().fold(f64::MIN, f64::max) - BETWEEN * self.extent;
+            found.iter_mut().zip(reaches).for_each(|(found, reach)| *found |= reach >= near);
+        }
+        found
+    }
+
+    /// How far it reaches in a direction: from the best places of the grids, climbed.
+    fn reach(&self, direction: DVec3) -> f64 {
         let of = |jet: &FaceJet| jet.position.dot(direction);
-        self.best(of, |_| true, 3)
-    }
-
-    /// The greatest value of a function of the jets over the faces of some kinds; faces whose grids come close are searched.
-    fn best(
-        &self,
-        of: impl Fn(&FaceJet) -> f64,
-        is_meant: impl Fn(FaceKind) -> bool,
-        most_faces: usize,
-    ) -> Option<Spot> {
-        let mut starts: Vec<(f64, usize)> = Vec::with_capacity(self.faces.len());
-        for (index, (face, grid)) in self.faces.iter().enumerate() {
-            if is_meant(face.kind()) {
-                let most = grid.points().iter().map(&of).filter(|value| value.is_finite()).fold(f64::MIN, f64::max);
-                starts.push((most, index));
-            }
+        let end =
+            |grid: &Grid<FaceJet>| grid.points().iter().map(of).filter(|x| x.is_finite()).fold(f64::MIN, f64::max);
+        let ends: Vec<f64> = self.faces.iter().map(|(_, grid)| end(grid)).collect();
+        let most = ends.iter().copied().fold(f64::MIN, f64::max);
+        let near = most - BETWEEN * self.extent;
+        let mut tops: Vec<(&dyn Face, &Grid<FaceJet>, Place)> = Vec::new();
+        for ((face, grid), _) in self.faces.iter().zip(&ends).filter(|(_, end)| **end >= near) {
+            let found = tops_of(*face, grid, direction, near, |_| true);
+            tops.extend(found.into_iter().map(|top| (*face, grid, top)));
         }
-        starts.sort_by(|x, y| y.0.total_cmp(&x.0).then(x.1.cmp(&y.1)));
-        let mut best: Option<Spot> = None;
-        for &(_, index) in starts.iter().take(most_faces) {
-            let (face, grid) = &self.faces[index];
-            let mut walk = face.walk();
-            let Some(Place { a, v, value }) = grid.greatest(&of, |a, v| walk.jet(a, v)) else { continue };
-            if best.is_none_or(|best| value > best.value) {
-                best = Some(Spot { value, error: 0.0, at: face.jet(a, v).position, face: face.kind() });
+        tops.sort_by(|(.., x), (.., y)| y.value.total_cmp(&x.value));
+        tops.iter().take(FOLLOWED).fold(most, |best, (face, grid, top)| {
+            let (mut walk, (step_a, step_v)) = (face.walk(), grid.steps());
+            let here = walk.jet(top.a, top.v);
+            // A hill is nowhere above its slopes: of what is level one place is enough.
+            let gain = (here.da.dot(direction) * step_a).abs() + (here.dv.dot(direction) * step_v).abs();
+            if of(&here) + gain <= best {
+                return best;
             }
-        }
-        best
+            // Step by step: networks have edges all over.
+            let start = Place { value: of(&here), ..*top };
+            best.max(climb(start, step_a, step_v, |a, v| of(&walk.jet(a, v))).value)
+        })
     }
 
     /// Bottom and top.
     pub(crate) fn heights(&self) -> [f64; 2] {
-        let [low, high] = [-DVec3::Z, DVec3::Z].map(|up| self.support(up).map_or(0.0, |spot| spot.value));
+        let [low, high] = [-DVec3::Z, DVec3::Z].map(|up| if self.faces.is_empty() { 0.0 } else { self.reach(up) });
         [-low, high]
     }
 
@@ -174,24 +224,23 @@ impl<'a> Outside<'a> {
         let ends: Vec<f64> = self.plans.iter().map(|plan| plan.reach(direction)).collect();
         let most = ends.iter().copied().fold(f64::MIN, f64::max);
         // What ends far from where another reaches cannot overtake it between the points of its grid; petals that reach about as far are all climbed.
-        let near = most - BETWEEN * self.size;
+        let near = most - BETWEEN * self.extent;
         let mut best = Contact { reach: f64::MIN, point: DVec2::ZERO };
-        for (((face, _), plan), _) in self.faces.iter().zip(&self.plans).zip(ends).filter(|(_, end)| *end >= near) {
+        for (((face, grid), plan), _) in self.faces.iter().zip(&self.plans).zip(ends).filter(|(_, end)| *end >= near) {
             let mut walk = face.walk();
             let may_have = |row: usize| !(plan.most(row, direction) <= near);
-            let rise = |start: Place, steps: (f64, f64)| {
-                let sloped = |jet: FaceJet| [jet.position, jet.da, jet.dv].map(|x| of(&x.truncate()));
-                ascend((start.a, start.v), steps, |a, v| {
-                    let [value, da, dv] = sloped(walk.jet(a, v));
-                    (value, [da, dv])
-                })
-                .unwrap_or_else(|| climb(start, steps.0, steps.1, |a, v| of(&walk.jet(a, v).position.truncate())))
-            };
-            for Place { a, v, value } in plan.points.tops(of, near, may_have, rise) {
+            let outwards = direction.extend(0.0);
+            for top in tops_of(*face, grid, outwards, near, may_have) {
+                let Place { a, v, value } = follow(*face, &mut *walk, outwards, &top, grid.steps());
                 if value > best.reach {
                     best = Contact { reach: value, point: walk.jet(a, v).position.truncate() };
                 }
             }
+        }
+        // At a corner the points of the grids may be further out than what is climbed to.
+        if best.reach < most {
+            let all = self.plans.iter().flat_map(|plan| plan.points.points());
+            best = all.map(|p| Contact { reach: of(p), point: *p }).find(|here| here.reach == most).unwrap_or(best);
         }
         best
     }
@@ -209,7 +258,7 @@ impl<'a> Outside<'a> {
             // A wall that had to be thinned has bumps between its knots.
             let (rows, columns) = match face.seams() {
                 Some(seams) => {
-                    let [rows, columns] = [seams.along.len(), seams.round.len()].map(|n| 2 * n + 1);
+                    let [rows, columns] = seamed(&seams);
                     (rows.min(MOST_SEAMED.0), columns.min(MOST_SEAMED.1.max(grid.columns() + grid.columns() / 3)))
                 }
                 None => (grid.rows() - grid.rows() / 4, grid.columns() + grid.columns() / 3),
@@ -250,8 +299,9 @@ impl<'a> Outside<'a> {
             }
             let of = |jet: &FaceJet| -jet.position.z;
             let mut walk = face.walk();
-            let rise = |start: Place, steps: (f64, f64)| climb(start, steps.0, steps.1, |a, v| of(&walk.jet(a, v)));
-            for Place { a, v, value } in grid.tops(of, -bottom - 0.05 * self.size, |_| true, rise) {
+            let (step_a, step_v) = grid.steps();
+            for start in grid.tops(of, -bottom - 0.05 * self.extent, |_| true) {
+                let Place { a, v, value } = climb(start, step_a, step_v, |a, v| of(&walk.jet(a, v)));
                 if -value <= bottom + tolerance {
                     points.push(face.jet(a, v).position);
                 }
@@ -268,6 +318,34 @@ impl<'a> Outside<'a> {
     pub(crate) fn size(&self) -> f64 {
         self.size
     }
+}
+
+/// The places of a face about which it reaches furthest in a direction, and beyond `near`.
+fn tops_of(
+    face: &dyn Face,
+    grid: &Grid<FaceJet>,
+    direction: DVec3,
+    near: f64,
+    may_have: impl Fn(usize) -> bool,
+) -> Vec<Place> {
+    // What goes to an end and back has corners there, and no petals.
+    if face.goes_back(1.5 * PI) {
+        return grid.tops(|jet| jet.position.dot(direction), near, may_have);
+    }
+    grid.crests(|jet| [jet.position, jet.dv].map(|x| x.dot(direction)), near, may_have)
+}
+
+/// From a place of a face to the nearest that reaches furthest in a direction.
+fn follow(face: &dyn Face, walk: &mut dyn FaceWalk, direction: DVec3, from: &Place, steps: (f64, f64)) -> Place {
+    let ascended = ascend((from.a, from.v), steps, |a, v| {
+        let jet = walk.jet(a, v);
+        let dv = jet.dv.dot(direction);
+        (jet.position.dot(direction), [jet.da.dot(direction), if face.goes_back(v) { -dv } else { dv }])
+    });
+    ascended.unwrap_or_else(|| {
+        let mut at = |a: f64, v: f64| walk.jet(a, v).position.dot(direction);
+        climb(Place { value: at(from.a, from.v), ..*from }, steps.0, steps.1, at)
+    })
 }
 
 /// The angle of a normal below the horizontal.

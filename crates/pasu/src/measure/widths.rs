@@ -10,6 +10,7 @@ use core::f64::consts::PI;
 use glam::DVec2;
 
 use super::quantity::{Quantity, ROUNDING};
+use crate::numeric::cubic;
 
 /// Caliper widths of a silhouette, and the directions in which they are measured, in radians from 0 to pi.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -91,26 +92,17 @@ impl Stretch {
         self.to.angle - self.from.angle
     }
 
-    /// The value of the cubic with the values and slopes at both ends.
-    fn cubic(&self, share: f64) -> f64 {
-        let [a, b, c, d] = self.coefficients();
-        ((d * share + c) * share + b) * share + a
-    }
-
-    fn coefficients(&self) -> [f64; 4] {
+    /// The cubic with the values and slopes at both ends, from 0 to 1.
+    fn cubic(&self) -> [f64; 4] {
         let (from, to, length) = (self.from, self.to, self.length());
-        let (rise, b, e) = (to.width - from.width, from.slope * length, to.slope * length);
-        [from.width, b, 3.0 * rise - 2.0 * b - e, b + e - 2.0 * rise]
+        cubic::through([from.width, to.width], [from.slope * length, to.slope * length])
     }
 
     /// The extreme of the cubic: the least for a `sign` of 1, the greatest for -1; with the share of the stretch where it is.
     fn extreme_of_cubic(&self, sign: f64) -> (f64, f64) {
-        let [_, b, c, d] = self.coefficients();
-        let root = libm::sqrt((c * c - 3.0 * b * d).max(0.0));
-        // Both roots of b + 2 c x + 3 d x^2, without cancellation.
-        let sum = -(c + libm::copysign(root, c));
-        let inner = [sum / (3.0 * d), b / sum].into_iter().filter(|x| *x > 0.0 && *x < 1.0);
-        let all = inner.map(|x| (self.cubic(x), x)).chain([(self.from.width, 0.0), (self.to.width, 1.0)]);
+        let cubic = self.cubic();
+        let inner = cubic::level(cubic).map(|x| (cubic::at(cubic, x), x));
+        let all = inner.chain([(self.from.width, 0.0), (self.to.width, 1.0)]);
         all.min_by(|x, y| (sign * x.0).total_cmp(&(sign * y.0))).unwrap_or((self.from.width, 0.0))
     }
 
@@ -187,7 +179,7 @@ pub(crate) fn widths(waves: f64, size: f64, mut contact: impl FnMut(f64) -> Cont
             if sign * knot.width < sign * best.width {
                 best = knot;
             }
-            let missed = (knot.width - stretch.cubic(share)).abs();
+            let missed = (knot.width - cubic::at(stretch.cubic(), share)).abs();
             let halves =
                 [Stretch { from: stretch.from, to: knot, missed }, Stretch { from: knot, to: stretch.to, missed }];
             stretches[first] = halves[0];

@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 
 use super::climb::{Place, climb};
+use super::cubic;
 use crate::watch;
 
 /// What a face is at the points of an even grid, to be searched for several functions.
@@ -109,32 +110,83 @@ impl<T> Grid<T> {
         Some((best, 2.0 * (between + change)))
     }
 
-    /// Every local top that begins above a value, which `rise` follows to the end by steps of the grid; `may_have` says in which rows there may be one, and others are hardly looked at.
-    pub(crate) fn tops(
+    /// Every local top above a value of a function of which the slope round `v` is known too, about where it is: between points it is nearly the cubic of their values and slopes, so that two tops are seen that are
+    /// nearer to each other than the points. `may_have` says in which rows there may be one, and others are hardly looked at.
+    pub(crate) fn crests(
         &self,
-        of: impl Fn(&T) -> f64,
+        of: impl Fn(&T) -> [f64; 2],
         above: f64,
         may_have: impl Fn(usize) -> bool,
-        mut rise: impl FnMut(Place, (f64, f64)) -> Place,
     ) -> Vec<Place> {
         let rows: Vec<bool> = (0..self.rows).map(may_have).collect();
-        let mut values = vec![f64::NAN; self.points.len()];
-        for (row, values) in values.chunks_mut(self.columns).enumerate() {
-            // A top is higher than what is in the rows beside it.
-            if rows[row.saturating_sub(1)..(row + 2).min(self.rows)].contains(&true) {
-                let points = &self.points[row * self.columns..];
-                values.iter_mut().zip(points).for_each(|(value, point)| *value = of(point));
+        let step = self.steps().1;
+        let (mut values, mut slopes) = (vec![f64::NAN; self.points.len()], vec![f64::NAN; self.points.len()]);
+        for index in self.beside_rows(&rows).flat_map(|row| row * self.columns..(row + 1) * self.columns) {
+            [values[index], slopes[index]] = of(&self.points[index]);
+        }
+        let cubic = |row: usize, column: usize| {
+            let ends = [0, 1].map(|right| row * self.columns + (column + right) % self.columns);
+            cubic::through(ends.map(|index| values[index]), ends.map(|index| slopes[index] * step))
+        };
+        let mut found = Vec::new();
+        for row in (0..self.rows).filter(|row| rows[*row]) {
+            let first = row * self.columns;
+            // Between each point and the next: where, and the value there.
+            let between = |column: usize| {
+                let cubic = cubic(row, column);
+                cubic::top(cubic).map(|x| (x, cubic::at(cubic, x)))
+            };
+            let tops: Vec<Option<(f64, f64)>> = (0..self.columns).map(between).collect();
+            for (column, top) in tops.iter().enumerate() {
+                let (a, v) = self.place(first + column);
+                if let Some((x, value)) = *top {
+                    // Of equal rows the first counts.
+                    let is_higher = |other: usize, there: f64| !(there > value || there == value && other < row);
+                    let is_top = || {
+                        let beside = [row.wrapping_sub(1), row + 1].into_iter().filter(|other| *other < self.rows);
+                        beside.into_iter().all(|other| {
+                            let about = [self.columns - 1, 0, 1, 2].map(|right| (column + right) % self.columns);
+                            let mut points = about.into_iter().map(|column| values[other * self.columns + column]);
+                            points.all(|there| is_higher(other, there))
+                                && is_higher(other, cubic::at(cubic(other, column), x))
+                        })
+                    };
+                    if value > above && is_top() {
+                        found.push(Place { a, v: v + x * step, value });
+                    }
+                }
+                // Where slopes say nothing, or what is not so.
+                let value = values[first + column];
+                let before = tops[(column + self.columns - 1) % self.columns];
+                let is_outdone = [before, *top].into_iter().flatten().any(|(_, top)| top >= value);
+                if value > above && !is_outdone && self.is_top(&values, first + column) {
+                    found.push(Place { a, v, value });
+                }
             }
         }
+        found
+    }
+
+    /// The rows in which there may be a top, and those beside them: a top is higher than these.
+    fn beside_rows(&self, rows: &[bool]) -> impl Iterator<Item = usize> {
+        (0..self.rows).filter(|row| rows[row.saturating_sub(1)..(row + 2).min(self.rows)].contains(&true))
+    }
+
+    /// Every point above a value that is no lower than those about it; `may_have` says in which rows there may be one, and others are hardly looked at.
+    pub(crate) fn tops(&self, of: impl Fn(&T) -> f64, above: f64, may_have: impl Fn(usize) -> bool) -> Vec<Place> {
+        let rows: Vec<bool> = (0..self.rows).map(may_have).collect();
+        let mut values = vec![f64::NAN; self.points.len()];
+        for index in self.beside_rows(&rows).flat_map(|row| row * self.columns..(row + 1) * self.columns) {
+            values[index] = of(&self.points[index]);
+        }
         let meant = (0..self.rows).filter(|row| rows[*row]);
-        meant
-            .flat_map(|row| row * self.columns..(row + 1) * self.columns)
-            .filter(|&index| values[index] > above && self.is_top(&values, index))
-            .map(|index| {
-                let (a, v) = self.place(index);
-                rise(Place { a, v, value: values[index] }, self.steps())
-            })
-            .collect()
+        let points = meant.flat_map(|row| row * self.columns..(row + 1) * self.columns);
+        let tops = points.filter(|&index| values[index] > above && self.is_top(&values, index));
+        tops.map(|index| {
+            let (a, v) = self.place(index);
+            Place { a, v, value: values[index] }
+        })
+        .collect()
     }
 
     fn is_top(&self, values: &[f64], index: usize) -> bool {
@@ -171,5 +223,34 @@ mod tests {
             let found = Grid::new(17, 24, hill).greatest(|value| *value, hill).unwrap();
             assert!((found.value - top).abs() < if name == "kink" { 1e-7 } else { 1e-12 }, "{name}: {found:?}");
         }
+    }
+
+    #[test]
+    fn two_tops_that_are_nearer_to_each_other_than_the_points_are_seen_on_either_side_of_a_dent() {
+        let grid = |shift: f64| {
+            Grid::new(5, 24, |a, v| {
+                let x = v - 2.0 - shift;
+                // Level at 0 and at 0.2 on both sides.
+                [x * x * (0.08 - x * x) - (a - 0.5) * (a - 0.5), 0.16 * x - 4.0 * x * x * x]
+            })
+        };
+        for shift in (0..30).map(|i| f64::from(i) * 0.01) {
+            let found = grid(shift).crests(|value| *value, -0.1, |_| true);
+            assert_eq!(found.len(), 2, "{shift}: {found:?}");
+            for (Place { a, v, value }, x) in found.into_iter().zip([-0.2, 0.2]) {
+                assert!(
+                    a == 0.5 && (v - 2.0 - shift - x).abs() < 0.04 && (value - 0.0016).abs() < 1e-3,
+                    "{shift}: {v} {value}"
+                );
+            }
+        }
+        // What is level all round has one place, and where there are no slopes a point is the place.
+        let found = Grid::new(5, 24, |a, _| [a * (1.0 - a), 0.0]).crests(|value| *value, 0.0, |_| true);
+        assert_eq!(found, [Place { a: 0.5, v: 0.0, value: 0.25 }]);
+        let found = Grid::new(5, 24, |_, v| [v * (6.0 - v), f64::NAN]).crests(|value| *value, 0.0, |row| row == 3);
+        assert_eq!(found.len(), 0);
+        let found = Grid::new(5, 24, |a, v| [v * (6.0 - v) + a, f64::NAN]).crests(|value| *value, 0.0, |row| row == 4);
+        assert_eq!(found.len(), 1);
+        assert!(found[0].a == 1.0 && (found[0].v - 3.0).abs() < 0.15, "{found:?}");
     }
 }

@@ -8,6 +8,7 @@ pub(crate) mod ascending;
 pub(crate) mod bisection;
 pub(crate) mod brent;
 pub(crate) mod climb;
+pub(crate) mod cubic;
 pub(crate) mod gauss_kronrod;
 pub(crate) mod gauss_legendre;
 pub(crate) mod gilbert;

@@ -1,7 +1,9 @@
 //! One pot, one truth: what is measured, checked and meshed is the same body. The links are of designs that others found told wrongly.
 
+use core::f64::consts::TAU;
+
 use crate::support::random::{Random, drawn};
-use pasu::{Design, Making, MeasureOptions, Measures, Product, Size, SolidMesh, Solution, check, measure, solid};
+use pasu::{Design, Face, Making, MeasureOptions, Measures, Product, Size, SolidMesh, Solution, check, measure, solid};
 
 /// A lip that rolls over, whose lining is higher than the surface.
 const LIP: &str = "#1~eNqVj8EOgjAQRP9lzsUAEjX9FWNMgSYQsDTdIiLh392Wg8Ybl2Y7O_tmd4FVNEJmggvnCfK6gBplNeSCrjU1JMphNLVyc_JU_aghQFYZ1nPb8ucVnIOrtYMsuBdhHjIVmOL7GGq9gU3sVQOFEfIcCHkW0CHlKDblztskWRRjma_rbRWY96ZQa_anvHelpP-3XH7oWfGlnwKd8ZPq-2D3TVt1RhPPpgdeqVSkQ1kE3wfwG3hQ";
@@ -116,6 +118,70 @@ fn measures_and_meshes_of_random_pots_are_of_one_body() {
         n_made += u64::from(agree(&format!("seed {seed}: {json}"), &parsed(&json), Some(0.03)));
     }
     assert!(6 * n_made > 5 * n, "only {n_made} of {n} were made");
+}
+
+/// Holds height and widths of a pot against places all over its faces, none of which may be further out; `false` where it is no pot.
+fn reaches_as_far(name: &str, design: &Design) -> bool {
+    const ROUNDING: f64 = 1e-11;
+    const PLACES: (usize, usize) = (100, 480);
+    let solution = Solution::of(design);
+    let Ok(pot) = solution.pot(0, Product::Pot) else { return false };
+    let found = solution.measure(&MeasureOptions::default()).expect("measures");
+    // One that runs through itself is measured as a surface.
+    if !found.parts[0].is_pot {
+        return false;
+    }
+    let found = found.whole;
+    let mut places = Vec::new();
+    for face in pot.faces() {
+        let mut walk = face.walk();
+        for i in 0..=PLACES.0 {
+            let jet = |j: usize| walk.jet(i as f64 / PLACES.0 as f64, TAU * j as f64 / PLACES.1 as f64);
+            places.extend((0..PLACES.1).map(jet).map(|jet| jet.position));
+        }
+    }
+    let reach = |x: f64, y: f64, z: f64| places.iter().map(|p| p.x * x + p.y * y + p.z * z).fold(f64::MIN, f64::max);
+    let size = places.iter().fold(0.0f64, |size, p| size.max(p.abs().max_element()));
+    let off = ROUNDING * size;
+    assert!(-reach(0.0, 0.0, -1.0) >= found.bottom - off, "{name}: bottom {} {}", found.bottom, -reach(0.0, 0.0, -1.0));
+    assert!(reach(0.0, 0.0, 1.0) <= found.top + off, "{name}: top {} {}", found.top, reach(0.0, 0.0, 1.0));
+    let width = |degrees: f64| {
+        let (y, x) = degrees.to_radians().sin_cos();
+        reach(x, y, 0.0) + reach(-x, -y, 0.0)
+    };
+    let [least, greatest] = [found.width.least, found.width.greatest];
+    assert!(width(found.width.least_direction) <= least.value + least.error + off, "{name}: {least:?}");
+    let most = (0..18).map(|i| width(10.0 * f64::from(i) + 3.0)).fold(0.0, f64::max);
+    assert!(most <= greatest.value + greatest.error + off, "{name}: {greatest:?} {most}");
+    true
+}
+
+/// With walls so thick that they have to be thinned, every other one.
+fn thick(seed: u64) -> String {
+    let json = Random::new(seed).design();
+    let mut document: serde_json::Value = serde_json::from_str(&json).expect("a document");
+    let thickness = &mut document["parts"][0]["wall"]["thickness"];
+    if seed.is_multiple_of(2) {
+        *thickness = (4.0 * thickness.as_f64().expect("a thickness")).into();
+    }
+    document.to_string()
+}
+
+#[test]
+fn no_place_of_a_random_pot_is_beyond_its_height_and_widths() {
+    let n = drawn(20, 80);
+    // Two tops at either side of a dent that are nearer to each other than the points of a grid, and bumps of walls that had to be thinned, at the foot, the rim and outside.
+    let seeds = [82, 96, 123, 230, 366].into_iter().chain(3000..3000 + n);
+    let n_made = seeds.filter(|seed| reaches_as_far(&format!("seed {seed}"), &parsed(&thick(*seed)))).count() as u64;
+    assert!(6 * n_made > 5 * n, "only {n_made} were made");
+    let petals = r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "bloor-wilson", "r": [1, 0.1, 0.1, 0.8], "R": [-3, -0.5, -0.5, 2], "h": [3, 0.3], "H": [-0.5, -0.7], "a": 0.01, "n1": 10 }, "wall": { "thickness": 0.0824825, "base": 0.098979 } "#;
+    for place in ["", r#", "place": { "angle": 0.7 }"#, r#", "place": { "angle": 0.3 }"#] {
+        let design = parsed(&format!("{petals}{place}}}] }}"));
+        assert!(reaches_as_far(place, &design), "{place}");
+        // However it is turned: it was 1e-7 less, and told to 2e-12.
+        let least = measured(&design).whole.width.least;
+        assert!((least.value - 1.617_285_735_555).abs() < 1e-10, "{place}: {least:?}");
+    }
 }
 
 #[test]

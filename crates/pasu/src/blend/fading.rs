@@ -1,10 +1,6 @@
-//! The cubics that carry values and slopes from one end to the other.
+//! The cubics by which what one section has fades towards the other.
 
-/// The polynomial, lowest power first, with these values and slopes at 0 and at 1.
-pub(super) fn through([start, end]: [f64; 2], [start_w, end_w]: [f64; 2]) -> [f64; 4] {
-    let rise = end - start;
-    [start, start_w, 3.0 * rise - 2.0 * start_w - end_w, start_w + end_w - 2.0 * rise]
-}
+use crate::numeric::cubic::through;
 
 /// A unit of what the section at one end has, with a tangent of so much of it, fading to nothing at the other.
 pub(super) fn fading(is_end: bool, taper: f64) -> [f64; 4] {
@@ -19,12 +15,9 @@ mod tests {
     #[test]
     fn values_and_slopes_are_met() {
         let at = |cubic: [f64; 4], w: f64| horner::derivatives::<2>(cubic.into_iter().rev(), w);
-        let cubic = through([4.0, 2.0], [-2.0, -3.0]);
-        assert_eq!((at(cubic, 0.0), at(cubic, 1.0)), ([4.0, -2.0], [2.0, -3.0]));
         assert_eq!((at(fading(false, -0.5), 0.0), at(fading(false, -0.5), 1.0)), ([1.0, -0.5], [0.0, 0.0]));
         assert_eq!((at(fading(true, -0.5), 0.0), at(fading(true, -0.5), 1.0)), ([0.0, 0.0], [1.0, -0.5]));
         // (1 - 3 w^2 + 2 w^3) and (1 - 2 w + w^2) w, as ZY04 has them.
         assert_eq!(fading(false, 0.0), [1.0, 0.0, -3.0, 2.0]);
-        assert_eq!(through([0.0, 0.0], [1.0, 0.0]), [0.0, 1.0, -2.0, 1.0]);
     }
 }
