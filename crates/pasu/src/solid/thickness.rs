@@ -509,8 +509,10 @@ fn thin_beside_corners(values: &mut [f64], beside: &[[f64; 2]], stretches: &[usi
 /// The rows, each with the stretch that it is of, and columns of a mesh of the part, and as many more as it takes.
 fn rows_and_columns(skin: &Skin, fineness: usize) -> Result<(Vec<(f64, usize)>, usize)> {
     let mut tolerance = FINENESS * skin.size();
+    // A mesh far from the origin is finer, because its numbers have fewer digits there. The wall is the same wherever it stands.
+    let unmoved = skin.placed().unmoved();
     let (placed, columns) = loop {
-        let (placed, columns, _) = places(skin.placed(), Some(tolerance))?;
+        let (placed, columns, _) = places(&unmoved, Some(tolerance))?;
         if placed.len() * columns <= MOST_PLACES {
             break (placed, columns);
         }

@@ -58,6 +58,11 @@ impl Placed {
         Placed::of(self.shared(), place, index)
     }
 
+    /// The same shape, turned and scaled as it is, but not moved.
+    pub(crate) fn unmoved(&self) -> Placed {
+        Placed { solved: self.shared(), shift: DVec3::ZERO, is_forwards: OnceLock::new(), ..*self }
+    }
+
     /// Another shape where this one stands.
     pub(crate) fn beside(&self, solved: Solved) -> Placed {
         let Placed { matrix, shift, index, .. } = *self;

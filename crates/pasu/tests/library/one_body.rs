@@ -120,6 +120,24 @@ fn measures_and_meshes_of_random_pots_are_of_one_body() {
     assert!(6 * n_made > 5 * n, "only {n_made} of {n} were made");
 }
 
+#[test]
+fn a_thinned_wall_is_the_same_wherever_it_stands() {
+    let petals = r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "bloor-wilson", "r": [1, 0.1, 0.1, 0.8], "R": [-3, -0.5, -0.5, 2], "h": [3, 0.3], "H": [-0.5, -0.7], "a": 0.01, "n1": 5 }, "wall": { "thickness": 0.0824825, "base": 0.098979 }, "place": { "shift": [SHIFT, 0, 0] } }] }"#;
+    let measured = |shift: &str| {
+        let found = measured(&parsed(&petals.replace("SHIFT", shift)));
+        let (clay, thickness) =
+            (found.whole.clay.expect("clay"), found.parts[0].thickness.clone().expect("a thickness"));
+        [clay.volume.value, clay.area.value, thickness.least.value, found.whole.width.greatest.value]
+    };
+    let here = measured("0");
+    // 30 away 2e-4 more clay was told, to 7e-6.
+    for shift in ["30", "-70", "1000", "20000"] {
+        for (there, here) in measured(shift).into_iter().zip(here) {
+            assert!((there - here).abs() < 1e-7 * here, "{shift}: {there} {here}");
+        }
+    }
+}
+
 /// Holds height and widths of a pot against places all over its faces, none of which may be further out; `false` where it is no pot.
 fn reaches_as_far(name: &str, design: &Design) -> bool {
     const ROUNDING: f64 = 1e-11;
