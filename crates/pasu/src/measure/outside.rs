@@ -10,6 +10,7 @@ use super::widths::{self, Contact, Widths};
 use crate::face::{Face, FaceJet, FaceKind, FaceWalk, Seams};
 use crate::numeric::ascend::ascend;
 use crate::numeric::climb::{Place, climb};
+use crate::numeric::greatest::{Sought, greatest};
 use crate::numeric::grid::Grid;
 use crate::numeric::limit::limit;
 use crate::numeric::trapezoid::round;
@@ -89,6 +90,18 @@ const BESIDE: f64 = 1e-4;
 /// The rounding of a normal's angle, in radians.
 const LEAN_ROUNDING: f64 = 1e-12;
 
+/// Normals that turn by less than a quarter of a radian between points do no more there than the points tell: the square of its cosine.
+const LITTLE: f64 = 0.94;
+
+/// How far they may sway aside meanwhile, as a part of the square of what they turn.
+const SWAY: f64 = 0.125;
+
+/// What of an angle is not sought any more between the points of a grid, as a part of it.
+const SMALL: f64 = 1e-6;
+
+/// So many cells of a grid are cut before it is left as it is.
+const CUTS: usize = 1_000;
+
 /// The most rows and columns of a grid over a wall that had to be thinned.
 const MOST_SEAMED: (usize, usize) = (401, 301);
 
@@ -106,6 +119,11 @@ fn seamed(seams: &Seams) -> [usize; 2] {
 /// Columns of a grid that meets every petal.
 pub(crate) fn columns(highest: f64) -> usize {
     (4 * highest.abs().clamp(1.0, 1e4) as usize + 1).max(49)
+}
+
+/// Columns of another grid over the same face: an even number, so that one of them is right across, where something symmetric may be at its end between two of an odd number.
+pub(crate) fn besides(columns: usize) -> usize {
+    (columns + columns / 3).next_multiple_of(2)
 }
 
 impl<'a> Outside<'a> {
@@ -256,15 +274,17 @@ impl<'a> Outside<'a> {
             let is_kept_from = |a: f64| is_singular[usize::from(a > 0.5)];
             let mut at = |a: f64, v: f64| walk.jet(if is_kept_from(a) { off_the_end(a) } else { a }, v);
             // A wall that had to be thinned has bumps between its knots.
-            let (rows, columns) = match face.seams() {
+            let other = match face.seams() {
                 Some(seams) => {
                     let [rows, columns] = seamed(&seams);
-                    (rows.min(MOST_SEAMED.0), columns.min(MOST_SEAMED.1.max(grid.columns() + grid.columns() / 3)))
+                    let columns = columns.min(MOST_SEAMED.1.max(besides(grid.columns())));
+                    Grid::new(rows.min(MOST_SEAMED.0), columns, &mut at)
                 }
-                None => (grid.rows() - grid.rows() / 4, grid.columns() + grid.columns() / 3),
+                None => Grid::graded(grid.rows(), besides(grid.columns()), &mut at),
             };
-            let other = Grid::new(rows, columns, &mut at);
-            let Some((mut place, mut error)) = grid.greatest_and_error(&other, lean, at) else { continue };
+            let more = |corners: [&FaceJet; 4]| turning(corners.map(|jet| element(*face, jet)));
+            let sought = Sought { of: lean, more, most: 0.5 * PI, small: SMALL, cuts: CUTS };
+            let Some((mut place, mut error)) = greatest([grid, &other], &sought, at) else { continue };
             let end = if place.a > 0.5 { 1.0 } else { 0.0 };
             if is_kept_from(place.a) && (place.a - end).abs() < 1e-2 * BESIDE {
                 // The limit at the end itself: by the cubic through four places beside it; a parabola tells how good that is.
@@ -346,6 +366,31 @@ fn follow(face: &dyn Face, walk: &mut dyn FaceWalk, direction: DVec3, from: &Pla
         let mut at = |a: f64, v: f64| walk.jet(a, v).position.dot(direction);
         climb(Place { value: at(from.a, from.v), ..*from }, steps.0, steps.1, at)
     })
+}
+
+/// How much further than at the corners of a cell its normals may lean between them, along `a` and round `v`.
+fn turning([one, two, three, four]: [DVec3; 4]) -> [f64; 2] {
+    [beyond(one, three).max(beyond(two, four)), beyond(one, two).max(beyond(three, four))]
+}
+
+/// How much further than either of two normals one between them may lean that is turned from the one to the other.
+fn beyond(one: DVec3, other: DVec3) -> f64 {
+    let dot = one.dot(other);
+    if dot > 0.0 && dot * dot > LITTLE * (one.length_squared() * other.length_squared()) {
+        return 0.0;
+    }
+    let (Some(one), Some(other)) = (one.try_normalize(), other.try_normalize()) else { return 0.0 };
+    let (across, along) = (one.cross(other).length(), one.dot(other));
+    let turn = libm::atan2(across, along);
+    // How far down a unit vector points that is turned by an angle x: first cos(x) + second sin(x).
+    let (first, second) = (-one.z, -(other.z - one.z * along) / across);
+    let furthest = libm::atan2(second, first);
+    let straight = if furthest > 0.0 && furthest < turn {
+        libm::asin(libm::hypot(first, second).min(1.0)) - lean(one).max(lean(other))
+    } else {
+        0.0
+    };
+    straight + SWAY * turn * turn
 }
 
 /// The angle of a normal below the horizontal.

@@ -8,35 +8,46 @@ use crate::watch;
 
 /// What a face is at the points of an even grid, to be searched for several functions.
 pub(crate) struct Grid<T> {
-    rows: usize,
+    /// `a` of every row.
+    rows: Vec<f64>,
     columns: usize,
     points: Vec<T>,
 }
 
-/// How far from a top the function is looked at again, as a part of the first step: so near that a smooth one has changed by rounding alone.
-const LAST: f64 = 1e-8;
+/// How much nearer to each other than evenly the rows of a [graded](Grid::graded) grid are at the ends: what is left of 1.
+const GRADED: f64 = 0.9;
 
 /// Local extremes of a grid that are followed to the end. Petals repeat the same one; a shape of several has not many nearly as large.
 const FOLLOWED: usize = 6;
 
 impl<T> Grid<T> {
     /// Samples a function of `(a, v)`: `rows` rows from `a = 0` to 1, and round `v` as many columns. Fewer rows once nobody waits for it any more.
-    pub(crate) fn new(rows: usize, columns: usize, mut at: impl FnMut(f64, f64) -> T) -> Grid<T> {
+    pub(crate) fn new(rows: usize, columns: usize, at: impl FnMut(f64, f64) -> T) -> Grid<T> {
+        Grid::at_rows(rows, columns, |a| a, at)
+    }
+
+    /// The same with rows that are ten times as close at the ends, where a surface may turn quickly.
+    pub(crate) fn graded(rows: usize, columns: usize, at: impl FnMut(f64, f64) -> T) -> Grid<T> {
+        Grid::at_rows(rows, columns, |a| a - GRADED * libm::sin(TAU * a) / TAU, at)
+    }
+
+    fn at_rows(rows: usize, columns: usize, row: impl Fn(f64) -> f64, mut at: impl FnMut(f64, f64) -> T) -> Grid<T> {
         let (rows, columns) = (rows.max(2), columns.max(4));
-        let mut points = Vec::with_capacity(rows * columns);
+        let mut grid = Grid { rows: Vec::with_capacity(rows), columns, points: Vec::with_capacity(rows * columns) };
         for i in 0..rows {
             if i >= 2 && watch::is_stopped() {
                 break;
             }
-            let a = i as f64 / (rows - 1) as f64;
-            points.extend((0..columns).map(|j| at(a, TAU * j as f64 / columns as f64)));
+            let a = if i == rows - 1 { 1.0 } else { row(i as f64 / (rows - 1) as f64) };
+            grid.rows.push(a);
+            grid.points.extend((0..columns).map(|j| at(a, TAU * j as f64 / columns as f64)));
         }
-        Grid { rows: points.len() / columns, columns, points }
+        grid
     }
 
     /// Something of every point.
     pub(crate) fn map<U>(&self, of: impl Fn(&T) -> U) -> Grid<U> {
-        Grid { rows: self.rows, columns: self.columns, points: self.points.iter().map(of).collect() }
+        Grid { rows: self.rows.clone(), columns: self.columns, points: self.points.iter().map(of).collect() }
     }
 
     /// The points row by row.
@@ -51,20 +62,25 @@ impl<T> Grid<T> {
     /// Where point number `index` is.
     pub(crate) fn place(&self, index: usize) -> (f64, f64) {
         let (row, column) = (index / self.columns, index % self.columns);
-        (row as f64 / (self.rows - 1) as f64, TAU * column as f64 / self.columns as f64)
+        (self.rows[row], TAU * column as f64 / self.columns as f64)
     }
 
     pub(crate) fn rows(&self) -> usize {
-        self.rows
+        self.rows.len()
+    }
+
+    /// How far it is from one row to the next.
+    pub(crate) fn gap(&self, row: usize) -> f64 {
+        self.rows[row + 1] - self.rows[row]
     }
 
     pub(crate) fn columns(&self) -> usize {
         self.columns
     }
 
-    /// The distance between neighbours.
+    /// The distance between neighbours, along `a` on average.
     pub(crate) fn steps(&self) -> (f64, f64) {
-        (1.0 / (self.rows - 1) as f64, TAU / self.columns as f64)
+        (1.0 / (self.rows() - 1) as f64, TAU / self.columns as f64)
     }
 
     /// The greatest value of a function of the face, and where: the best local extremes of the grid are each climbed to the top. Values that are not finite are passed over.
@@ -72,12 +88,12 @@ impl<T> Grid<T> {
         let values: Vec<f64> = self.points.iter().map(&of).collect();
         let mut tops: Vec<usize> = (0..values.len()).filter(|&index| self.is_top(&values, index)).collect();
         tops.sort_by(|&i, &j| values[j].total_cmp(&values[i]).then(i.cmp(&j)));
-        let (step_a, step_v) = self.steps();
+        let step_v = self.steps().1;
         let mut best: Option<Place> = None;
         for &index in tops.iter().take(FOLLOWED) {
             let (a, v) = self.place(index);
             let start = Place { a, v, value: values[index] };
-            let top = climb(start, step_a, step_v, |a, v| of(&at(a, v)));
+            let top = climb(start, self.step_at(index), step_v, |a, v| of(&at(a, v)));
             if best.is_none_or(|best| top.value > best.value) {
                 best = Some(top);
             }
@@ -85,29 +101,11 @@ impl<T> Grid<T> {
         best
     }
 
-    /// As [`Self::greatest`], with how far the value may be off: what the same search from another grid finds otherwise, and how much the function changes over the last step. Where the
-    /// function is smooth that is little more than its rounding.
-    pub(crate) fn greatest_and_error(
-        &self,
-        other: &Grid<T>,
-        of: impl Fn(&T) -> f64,
-        mut at: impl FnMut(f64, f64) -> T,
-    ) -> Option<(Place, f64)> {
-        let found = [self.greatest(&of, &mut at), other.greatest(&of, &mut at)];
-        let best = found.into_iter().flatten().max_by(|x, y| x.value.total_cmp(&y.value))?;
-        let between = found.into_iter().flatten().fold(0.0f64, |most, place| most.max(best.value - place.value));
-        let (step_a, step_v) = self.steps();
-        // At an end the function may rise towards it.
-        let p = if best.a > 0.0 && best.a < 1.0 { LAST * step_a } else { 0.0 };
-        let q = LAST * step_v;
-        let mut change = 0.0f64;
-        for (a, v) in [(p, 0.0), (-p, 0.0), (0.0, q), (0.0, -q), (p, q), (-p, -q)] {
-            let near = of(&at((best.a + a).clamp(0.0, 1.0), best.v + v));
-            if near.is_finite() {
-                change = change.max((best.value - near).abs());
-            }
-        }
-        Some((best, 2.0 * (between + change)))
+    /// How far it is from a point to the farther of the rows beside its own.
+    fn step_at(&self, index: usize) -> f64 {
+        let row = index / self.columns;
+        let gap = |row: usize| if row + 1 < self.rows() { self.gap(row) } else { 0.0 };
+        gap(row).max(row.checked_sub(1).map_or(0.0, gap))
     }
 
     /// Every local top above a value of a function of which the slope round `v` is known too, about where it is: between points it is nearly the cubic of their values and slopes, so that two tops are seen that are
@@ -118,7 +116,7 @@ impl<T> Grid<T> {
         above: f64,
         may_have: impl Fn(usize) -> bool,
     ) -> Vec<Place> {
-        let rows: Vec<bool> = (0..self.rows).map(may_have).collect();
+        let rows: Vec<bool> = (0..self.rows()).map(may_have).collect();
         let step = self.steps().1;
         let (mut values, mut slopes) = (vec![f64::NAN; self.points.len()], vec![f64::NAN; self.points.len()]);
         for index in self.beside_rows(&rows).flat_map(|row| row * self.columns..(row + 1) * self.columns) {
@@ -129,7 +127,7 @@ impl<T> Grid<T> {
             cubic::through(ends.map(|index| values[index]), ends.map(|index| slopes[index] * step))
         };
         let mut found = Vec::new();
-        for row in (0..self.rows).filter(|row| rows[*row]) {
+        for row in (0..self.rows()).filter(|row| rows[*row]) {
             let first = row * self.columns;
             // Between each point and the next: where, and the value there.
             let between = |column: usize| {
@@ -143,7 +141,7 @@ impl<T> Grid<T> {
                     // Of equal rows the first counts.
                     let is_higher = |other: usize, there: f64| !(there > value || there == value && other < row);
                     let is_top = || {
-                        let beside = [row.wrapping_sub(1), row + 1].into_iter().filter(|other| *other < self.rows);
+                        let beside = [row.wrapping_sub(1), row + 1].into_iter().filter(|other| *other < self.rows());
                         beside.into_iter().all(|other| {
                             let about = [self.columns - 1, 0, 1, 2].map(|right| (column + right) % self.columns);
                             let mut points = about.into_iter().map(|column| values[other * self.columns + column]);
@@ -169,17 +167,17 @@ impl<T> Grid<T> {
 
     /// The rows in which there may be a top, and those beside them: a top is higher than these.
     fn beside_rows(&self, rows: &[bool]) -> impl Iterator<Item = usize> {
-        (0..self.rows).filter(|row| rows[row.saturating_sub(1)..(row + 2).min(self.rows)].contains(&true))
+        (0..self.rows()).filter(|row| rows[row.saturating_sub(1)..(row + 2).min(self.rows())].contains(&true))
     }
 
     /// Every point above a value that is no lower than those about it; `may_have` says in which rows there may be one, and others are hardly looked at.
     pub(crate) fn tops(&self, of: impl Fn(&T) -> f64, above: f64, may_have: impl Fn(usize) -> bool) -> Vec<Place> {
-        let rows: Vec<bool> = (0..self.rows).map(may_have).collect();
+        let rows: Vec<bool> = (0..self.rows()).map(may_have).collect();
         let mut values = vec![f64::NAN; self.points.len()];
         for index in self.beside_rows(&rows).flat_map(|row| row * self.columns..(row + 1) * self.columns) {
             values[index] = of(&self.points[index]);
         }
-        let meant = (0..self.rows).filter(|row| rows[*row]);
+        let meant = (0..self.rows()).filter(|row| rows[*row]);
         let points = meant.flat_map(|row| row * self.columns..(row + 1) * self.columns);
         let tops = points.filter(|&index| values[index] > above && self.is_top(&values, index));
         tops.map(|index| {
@@ -195,7 +193,7 @@ impl<T> Grid<T> {
         // Of equal neighbours the first counts: a level curve has one top, not as many as columns.
         here.is_finite()
             && [-1, 0, 1].iter().all(|down: &isize| {
-                let Some(row) = row.checked_add_signed(*down).filter(|row| *row < self.rows) else { return true };
+                let Some(row) = row.checked_add_signed(*down).filter(|row| *row < self.rows()) else { return true };
                 [self.columns - 1, 0, 1].iter().all(|right| {
                     let other = row * self.columns + (column + right) % self.columns;
                     let there = values[other];

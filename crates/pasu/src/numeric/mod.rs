@@ -13,6 +13,7 @@ pub(crate) mod gauss_kronrod;
 pub(crate) mod gauss_legendre;
 pub(crate) mod gilbert;
 pub(crate) mod golden_section;
+pub(crate) mod greatest;
 pub(crate) mod grid;
 pub(crate) mod horner;
 pub(crate) mod illinois;
