@@ -347,22 +347,24 @@ impl<'a> Inside<'a> {
         self.columns(&places)
     }
 
-    /// The level at which water first runs out, and where, if it does so over one crest: the lowest brim of all columns.
-    pub(crate) fn spill(&self, even: &[Column]) -> (f64, DVec3) {
+    /// The level at which water first runs out, and where, if it does so over one crest: the lowest brim of all columns; and how far below that of the nearest of these columns it is.
+    pub(crate) fn spill(&self, even: &[Column]) -> (f64, DVec3, f64) {
         let step = TAU / self.columns as f64;
         let brims: Vec<f64> = even.iter().map(|column| column.brim).collect();
         let mut best = (f64::INFINITY, 0.0);
+        let mut dip = 0.0;
         for j in minima::round(&brims).into_iter().take(LOWS) {
             let v = step * j as f64;
             let (refined, value) = brent::least(v - step, v + step, 1e-9 * step, |v| self.column(v).brim);
             for (brim, v) in [(brims[j], v), (value, refined)] {
                 if brim < best.0 {
                     best = (brim, v);
+                    dip = brims[j] - brim;
                 }
             }
         }
         let column = self.column(best.1);
-        (best.0, self.position(column.at, column.v))
+        (best.0, self.position(column.at, column.v), dip)
     }
 
     /// The stretches of a column that are below a level.

@@ -383,7 +383,7 @@ mod tests {
     fn full(cup: &Cup, below: f64) -> (f64, Filling) {
         let floor = Cap::new(cup, 0.0, 60);
         let inside = Inside::new(&[&floor, cup], cup.turn.z_axis, 1.0);
-        let (level, _) = inside.spill(&inside.even_columns());
+        let (level, ..) = inside.spill(&inside.even_columns());
         (level, Level::new(&inside, level - below, round(49)).filling(&Accuracy::new(1e-11, 1.0)))
     }
 
@@ -462,7 +462,7 @@ mod tests {
             let cup = tilted(cylinder, tilt);
             let floor = Cap::new(&cup, 0.0, 60);
             let inside = Inside::new(&[&floor, &cup], cup.turn.z_axis, 1.0);
-            let (spill, _) = inside.spill(&inside.even_columns());
+            let (spill, ..) = inside.spill(&inside.even_columns());
             let (low, _) = inside.floor();
             for share in [0.05, 0.3, 0.7, 0.95, 1.0] {
                 let level = Level::new(&inside, low + share * (spill - low), round(193));
@@ -497,7 +497,7 @@ mod tests {
         for tilt in [0.0, 0.3, 0.8] {
             let cup = tilted(bowl, tilt);
             let inside = Inside::new(&[&cup], cup.turn.z_axis, 1.0);
-            let (spill, _) = inside.spill(&inside.even_columns());
+            let (spill, ..) = inside.spill(&inside.even_columns());
             assert!((spill - 10.0 + RADIUS * (2.2f64 - tilt).cos()).abs() < 1e-12);
             assert!((inside.floor().0 - 10.0 + RADIUS).abs() < 1e-12);
             for level in [spill, 9.7, 9.0] {

@@ -81,6 +81,9 @@ const AWAY: usize = 2;
 /// Ways over of about the same height that are compared, and how many cells apart they are.
 const WAYS: usize = 6;
 
+/// How much lower than the columns of the grid on either side a way over may be between them, as a part of the depth.
+const DIP: f64 = 0.01;
+
 /// Less than this part of what the columns of an upright body hold is not what a flood leaves in a body that does not run through itself.
 const NEXT_TO_NOTHING: f64 = 0.3;
 
@@ -108,11 +111,11 @@ pub(crate) fn ponds<'a>(
     // The columns of a tube have no crest that water would have to rise to: they go round.
     if !ground.is_ring() {
         let columns = inside.even_columns();
-        let (level, at) = inside.spill(&columns);
+        let (level, at, dip) = inside.spill(&columns);
         let is_plain = match basins.as_slice() {
             [basin] => {
                 let way = saddle(&body, &ground, basin.spill, banks(&ground, basin));
-                is_plain(&ground, basin, &way, &columns, level)
+                is_plain(&ground, basin, &way, &columns, (level, dip))
             }
             _ => false,
         };
@@ -236,10 +239,11 @@ fn banks(ground: &Ground, basin: &Basin) -> impl Fn(usize) -> Bank {
     move |vertex| if is_member[vertex] { Bank::Basin } else { Bank::Beyond }
 }
 
-/// Whether what is under water is every column of the inside up to its crest, and the way over is the lowest of these.
-fn is_plain(ground: &Ground, basin: &Basin, way: &Saddle, columns: &[Column], level: f64) -> bool {
+/// Whether what is under water is every column of the inside up to its crest, and the way over is the lowest of these: at a level that is so far below the nearest column of the grid.
+fn is_plain(ground: &Ground, basin: &Basin, way: &Saddle, columns: &[Column], (level, dip): (f64, f64)) -> bool {
     let coarse = ground.point(basin.spill).z;
-    let slack = 4.0 * (way.z - coarse).abs() + SAME * ground.size();
+    // The way of the flood is the lowest at the columns of the grid, and another may be lower between them.
+    let slack = 4.0 * (way.z - coarse).abs().max(dip) + SAME * ground.size();
     if !(level <= way.z + 2.0 * way.change + SAME * ground.size() && level >= way.z.min(coarse) - slack) {
         return false;
     }
@@ -272,6 +276,7 @@ fn is_crossed(ground: &Ground, basins: &[Basin], columns: &[Column], level: f64)
 fn lowest_way(whole: &Inside, ground: &Ground, basin: &Basin, shortcuts: &[Shortcut]) -> Saddle {
     let coarse = ground.point(basin.spill).z;
     let mut best = saddle(whole, ground, basin.spill, banks(ground, basin));
+    let mut slack = (4.0 * (best.z - coarse).abs()).max(DIP * (coarse - ground.point(basin.lowest).z));
     let mut barred = Vec::new();
     let mut last = basin.spill;
     for _ in 1..WAYS {
@@ -287,11 +292,12 @@ fn lowest_way(whole: &Inside, ground: &Ground, basin: &Basin, shortcuts: &[Short
         }
         let again = ground.basins(shortcuts, &barred).into_iter().find(|other| other.members.contains(&basin.lowest));
         let Some(next) = again else { break };
-        let slack = 4.0 * (best.z - coarse).abs();
-        if ground.point(next.spill).z > best.z.max(coarse) + slack || barred.contains(&next.spill) {
+        let next_coarse = ground.point(next.spill).z;
+        if next_coarse > best.z.max(coarse) + slack || barred.contains(&next.spill) {
             break;
         }
         let way = saddle(whole, ground, next.spill, banks(ground, &next));
+        slack = slack.max(4.0 * (way.z - next_coarse).abs());
         if way.z < best.z {
             best = way;
         }

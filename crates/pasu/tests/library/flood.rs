@@ -11,9 +11,11 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::support::design;
-use crate::support::random::Random;
+use crate::support::random::{Random, drawn};
 use glam::DVec3;
-use pasu::{Code, Making, MeasureOptions, Pot, Product, Size, SolidMesh, measure, solid};
+use pasu::{
+    Code, Design, Face, FaceKind, Making, MeasureOptions, Pot, Product, Size, SolidMesh, Solution, measure, solid,
+};
 use serde_json::{Value, json};
 
 /// How many pots are flooded when nobody says otherwise.
@@ -244,6 +246,55 @@ fn attitudes_that_were_measured_wrongly() {
         let (held, found, off) = flooded(link).expect("a pot that can be made");
         assert!((held - found).abs() <= off, "{held} flooded, {found} measured, {off} expected: {link}");
     }
+}
+
+/// Of the columns of a pot that stands, from the floor to the crest, water runs out over the lowest at the latest; `None` where it holds none, and lies or has no floor.
+fn runs_out(name: &str, design: &Design) -> Option<()> {
+    const PLACES: (usize, usize) = (200, 900);
+    let solution = Solution::of(design);
+    let pot = solution.pot(0, Product::Pot).ok()?;
+    let found = solution.measure(&MeasureOptions::default()).expect("measures").parts.swap_remove(0).body;
+    let spill = found.capacity?.spill.level;
+    let is_there = |kind| pot.faces().iter().any(|face| face.kind() == kind);
+    if !(is_there(FaceKind::Floor) && is_there(FaceKind::Rim)) {
+        return None;
+    }
+    let mut crests = vec![f64::MIN; PLACES.1];
+    for face in pot.faces().iter().filter(|face| matches!(face.kind(), FaceKind::Lining | FaceKind::Rim)) {
+        let mut walk = face.walk();
+        for a in (0..=PLACES.0).map(|i| i as f64 / PLACES.0 as f64) {
+            for (j, crest) in crests.iter_mut().enumerate() {
+                *crest = crest.max(walk.jet(a, 2.0 * PI * j as f64 / PLACES.1 as f64).position.z);
+            }
+        }
+    }
+    let lowest = crests.into_iter().fold(f64::MAX, f64::min);
+    // Between the places of a column its crest is a little higher.
+    assert!(spill.value <= lowest + spill.error + 1e-5 * found.height.value, "{name}: {spill:?}, {lowest}");
+    Some(())
+}
+
+/// Of five waves of a rim the lowest lies between two columns of the grid, and that at whose lowest place there is a column is two thousandths higher.
+#[test]
+fn water_runs_out_over_the_lowest_of_the_waves_of_a_rim() {
+    let waves = design(
+        r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "bloor-wilson", "a": 0.0363, "r": [4.2064, -0.46354528000000006, 0.1514304, 3.9653], "R": [0.7621, 0.38105, 0.38105, -2.6506], "h": [13.3541, 0.4254], "H": [-17.10927292, -0.938], "n1": 5 },
+        "wall": { "thickness": 0.2652, "base": 0.7592, "drain": 1.2762, "rim": "rounded" } }] }"#,
+    );
+    let capacity = measure(&waves, &MeasureOptions::default()).unwrap().whole.capacity.unwrap();
+    assert!((capacity.spill.level.value - 13.049_120_5).abs() < 1e-6, "{capacity:?}");
+    runs_out("waves", &waves).expect("a pot that stands");
+    let n = drawn(20, 100);
+    let pots = (7000..7000 + n).filter_map(|seed| {
+        let mut pot: Value = serde_json::from_str(&Random::new(seed).design()).unwrap();
+        // Tilted less than those that are flooded: they stand.
+        if let Some(angle) = pot["parts"][0]["place"].get_mut("angle") {
+            *angle = json!(0.2 * angle.as_f64().unwrap());
+        }
+        runs_out(&format!("seed {seed}"), &design(&pot.to_string()))
+    });
+    let n_held = pots.count() as u64;
+    assert!(2 * n_held > n, "only {n_held} of {n} hold water");
 }
 
 /// A pot that lies with its mouth a little down: the lowest point of its inside is that of the rim, below which there is no clay.
