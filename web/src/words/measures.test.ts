@@ -81,6 +81,18 @@ test("where no curvature is known none is told", () => {
   expect(Object.keys(told).filter((name) => name.includes("curvature"))).toEqual([]);
 });
 
+test("a curvature without either bound is told so beside one that has one", () => {
+  const [own] = MEASURES.parts;
+  const none = { least: null, greatest: null };
+  const told = lines({
+    ...MEASURES,
+    parts: [
+      { ...own, curvature: { mean: none, gaussian: { ...none, greatest: { value: 2, error: 0, at: [0, 0, 0] } } } },
+    ],
+  } as unknown as Measures);
+  expect(told).toMatchObject({ "Mean curvature": "without a bound", "Gaussian curvature": "no least to 2 /cm²" });
+});
+
 test("a pot on a round foot tips in every direction alike, and all of a full foot touches the table", () => {
   const radius = 5 * Math.tan((24.31 * Math.PI) / 180);
   const disc = q(Math.PI * radius * radius);

@@ -202,20 +202,23 @@ function wall(part: PartMeasures, unit: Unit): readonly Group[] {
         : { name, value: said.none, error, note: said.nothingFacesDown },
     );
   }
-  lines.push(...curved(said.mean, curvature.mean, quantities.bent[unit]));
-  lines.push(...curved(said.gaussian, curvature.gaussian, quantities.bentTwice[unit]));
+  const { mean, gaussian } = curvature;
+  // Of what has edges everywhere there is nothing to tell.
+  if (mean.least || mean.greatest || gaussian.least || gaussian.greatest) {
+    lines.push(curved(said.mean, mean, quantities.bent[unit]));
+    lines.push(curved(said.gaussian, gaussian, quantities.bentTwice[unit]));
+  }
   return [{ title: said.wall, lines }];
 }
 
-function curved(name: string, { least, greatest }: Curvature, unit: string): readonly Line[] {
+function curved(name: string, { least, greatest }: Curvature, unit: string): Line {
+  if (!least && !greatest) return { name, value: said.noBound, error: "" };
   // What may as well be nothing is told as that.
   const told = ({ value, error }: Quantity) => formatNumber(Math.abs(value) <= error ? 0 : value, 4);
   const end = (extreme: Quantity | null, otherwise: string) => (extreme ? told(extreme) : otherwise);
-  // Of what has edges everywhere there is nothing to tell.
-  if (!least && !greatest) return [];
   const error = errorWords(Math.max(least?.error ?? 0, greatest?.error ?? 0));
   const range = said.range(end(least, said.noLeast), end(greatest, said.noGreatest));
-  return [{ name, value: quantities.measured(range, unit), error }];
+  return { name, value: quantities.measured(range, unit), error };
 }
 
 function aboveFoot({ value, error }: Quantity, bottom: number): Quantity {

@@ -49,6 +49,7 @@ export const measures = phrases("measures", {
   gaussian: "Gaussian curvature",
   noLeast: "no least",
   noGreatest: "no greatest",
+  noBound: "without a bound",
   holds: (volume: string) => `Holds ${volume} to the brim.`,
   holdsStopped: (volume: string) => `Holds ${volume} to the brim with its drain hole stopped.`,
   isSolid: "It goes round a body: a solid as it is, which Export writes and which can be printed.",
