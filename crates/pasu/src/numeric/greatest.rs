@@ -61,6 +61,7 @@ pub(crate) fn greatest<T>(
             change = change.max((best.value - near).abs());
         }
     }
+    // Either grid has cells all over: what one says of them all is enough.
     Some((best, 2.0 * (besides + change) + left.min(left_besides)))
 }
 
