@@ -756,6 +756,40 @@ test("a hand on a large network has its points and their numbers drawn, and noth
   await pot.leave();
 });
 
+test("the first movement of a large network is written over in the mesh that stands at rest", async () => {
+  const pot = await here.enter({});
+  const first = await pot.fingerprint();
+  await pot.dropFile("sheet.json", JSON.stringify(sheet(20, 25)));
+  await pot.fingerprintOtherThan(first);
+  await pot.button("Points on the stage").click();
+  await pot.page.locator("pasu-network-handles canvas").last().waitFor();
+  const box = await pot.page.locator("pasu-network-handles").boundingBox();
+  const [x, y] = [(box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2 + 80];
+  await pot.page.mouse.move(x, y);
+  await pot.page.mouse.down();
+  expect(await meshAfter(pot, async () => await pot.page.mouse.move(x, y - 12))).toBe("the same arrays");
+  await pot.page.mouse.up();
+  await pot.leave();
+});
+
+/** Whether what is shown after something is done is in the arrays in which the mesh was before. */
+async function meshAfter(pot: Visit, act: () => Promise<void>): Promise<"the same arrays" | "others"> {
+  interface Page {
+    designer: { surface: { shown: { change: number; solved: { parts: { mesh: { positions: Float32Array } }[] } } } };
+  }
+  const before = await pot.page.evaluateHandle(
+    () => (document.querySelector("pasu-app") as unknown as Page).designer.surface.shown,
+  );
+  await act();
+  const same = await pot.page.waitForFunction((was) => {
+    const { shown } = (document.querySelector("pasu-app") as unknown as Page).designer.surface;
+    if (shown.change === was.change) return null;
+    const [now, then] = [shown, was].map(({ solved }) => solved.parts[0]?.mesh.positions);
+    return now === then ? "the same arrays" : "others";
+  }, before);
+  return (await same.jsonValue()) ?? "others";
+}
+
 /** By how much the mesh on the stage is another than one that is sampled as a whole. */
 async function differsFromAnew(pot: Visit): Promise<number> {
   return await pot.page.evaluate(async () => {

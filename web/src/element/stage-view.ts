@@ -141,7 +141,10 @@ export class PasuStage extends DesignerElement {
         if (this.drawn) trace("drawn", this.drawn.change);
       },
       onCost: (milliseconds: number, coarsest: boolean) => {
-        const times = this.drawn?.solved.times;
+        // Only what a hand asked for says what its changes cost: what stands at rest took longer, and is drawn for other reasons too.
+        const { drawn } = this;
+        if (!drawn || drawn.settled || !this.designer.store.inGesture) return;
+        const { times } = drawn.solved;
         if (times) this.designer.surface.pace.learn(times.done - times.begun + milliseconds, coarsest);
       },
     };

@@ -35,6 +35,16 @@ test("of a large network the points alone are sent that were moved, and the same
   expect(receiver.unpack(sent(sender.pack(first)))).toEqual(first);
 });
 
+test("a network of which nothing was moved is the very one of before, so that what was made of it serves the next movement", () => {
+  const [sender, receiver] = [new Sender(), new Receiver()];
+  const first = network(1000);
+  const known = receiver.unpack(sent(sender.pack(first)));
+  // As the whole design is sent once a hand has let go, and its parts with it.
+  expect(receiver.unpack(sent(sender.pack(first)))).toBe(known);
+  expect(receiver.unpack(sent(sender.pack({ ...first })))).toBe(known);
+  expect(receiver.last).toBe(known);
+});
+
 test("what differs otherwise, is small, or has moved as a whole is sent as it is", () => {
   const sender = new Sender();
   const first = network(1000);

@@ -57,6 +57,8 @@ export class Receiver {
     }
     const last = this.#last;
     if (!last) throw new Error("points were moved of a network that was never sent");
+    // The very network: what was made of it still holds.
+    if (sent.vertices.length === 0) return last;
     const vertices = [...last.vertices];
     for (const [index, vertex] of sent.vertices.entries()) {
       const [x = 0, y = 0, z = 0] = sent.points.subarray(3 * index, 3 * index + 3);
