@@ -216,20 +216,9 @@ impl Crease {
         let tangent_v = (dvv - tangent * tangent.dot(dvv)) / length;
         let [n, m] = jets.map(|jet| jet.normal);
         let [n_v, m_v] = jets.map(|jet| jet.normal_v);
-        let (sine, cosine) = (tangent.dot(n.cross(m)), n.dot(m));
-        let sine_v = tangent_v.dot(n.cross(m)) + tangent.dot(n_v.cross(m) + n.cross(m_v));
-        let cosine_v = n_v.dot(m) + n.dot(m_v);
+        let [turn, turn_v] = turn([tangent, tangent_v], [n, n_v], [m, m_v]);
         let [thickness, _, thickness_v] = self.thickness.at(high, v).map(|t| t * self.direction);
-        Corner {
-            jets,
-            tangent,
-            tangent_v,
-            dvv,
-            turn: libm::atan2(sine, cosine),
-            turn_v: cosine * sine_v - sine * cosine_v,
-            thickness,
-            thickness_v,
-        }
+        Corner { jets, tangent, tangent_v, dvv, turn, turn_v, thickness, thickness_v }
     }
 
     /// By which angle the two sides part; negative where they run through each other.
@@ -315,18 +304,8 @@ impl Crease {
         let corner = self.corner(&mut self.walks(), v);
         let [SkinJet { position, dv, normal, normal_v, .. }, _] = corner.jets;
         let Corner { tangent, tangent_v, turn, turn_v, thickness, thickness_v, .. } = corner;
-        Shoulder {
-            middle: position,
-            middle_v: dv,
-            arm: normal,
-            arm_v: normal_v,
-            across: tangent.cross(normal),
-            across_v: tangent_v.cross(normal) + tangent.cross(normal_v),
-            turn,
-            turn_v,
-            radius: thickness,
-            radius_v: thickness_v,
-        }
+        let (tangent, arm) = ([tangent, tangent_v], [normal, normal_v]);
+        Shoulder::new([position, dv], tangent, arm, [turn, turn_v], [thickness, thickness_v])
     }
 
     /// The greatest angle by which it turns.
@@ -346,6 +325,14 @@ impl Crease {
     }
 }
 
+/// The angle from one unit vector to another about a third that is at right angles to both, each with its derivative.
+fn turn([axis, axis_v]: [DVec3; 2], [from, from_v]: [DVec3; 2], [to, to_v]: [DVec3; 2]) -> [f64; 2] {
+    let (sine, cosine) = (axis.dot(from.cross(to)), from.dot(to));
+    let sine_v = axis_v.dot(from.cross(to)) + axis.dot(from_v.cross(to) + from.cross(to_v));
+    let cosine_v = from_v.dot(to) + from.dot(to_v);
+    [libm::atan2(sine, cosine), cosine * sine_v - sine * cosine_v]
+}
+
 /// An arc round a corner, from the side below to that above, with how it changes from column to column.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Shoulder {
@@ -362,6 +349,36 @@ pub(super) struct Shoulder {
 }
 
 impl Shoulder {
+    /// The arc about a point of a curve with this unit tangent, from where an arm at right angles to that points, by an angle; all with their derivatives.
+    fn new(
+        [middle, middle_v]: [DVec3; 2],
+        [tangent, tangent_v]: [DVec3; 2],
+        [arm, arm_v]: [DVec3; 2],
+        [turn, turn_v]: [f64; 2],
+        [radius, radius_v]: [f64; 2],
+    ) -> Shoulder {
+        let (across, across_v) = (tangent.cross(arm), tangent_v.cross(arm) + tangent.cross(arm_v));
+        Shoulder { middle, middle_v, arm, arm_v, across, across_v, turn, turn_v, radius, radius_v }
+    }
+
+    /// The arc about a point of a curve from one arm to another, both at right angles to the curve, which is given with two derivatives and the rest with one.
+    pub(super) fn between(curve: [DVec3; 3], from: [DVec3; 2], to: [DVec3; 2], radius: [f64; 2]) -> Shoulder {
+        let [middle, dv, dvv] = curve;
+        let length = dv.length();
+        let tangent = dv / length;
+        let tangent = [tangent, (dvv - tangent * tangent.dot(dvv)) / length];
+        Shoulder::new([middle, dv], tangent, from, turn(tangent, from, to), radius)
+    }
+
+    pub(super) fn radius(&self) -> f64 {
+        self.radius.abs()
+    }
+
+    /// By which angle it goes round.
+    pub(super) fn turn(&self) -> f64 {
+        self.turn.abs()
+    }
+
     /// At a part of the way from below to above.
     pub(super) fn jet(&self, share: f64) -> FaceJet {
         let (sine, cosine) = libm::sincos(share * self.turn);

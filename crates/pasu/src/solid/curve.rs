@@ -59,8 +59,9 @@ impl Curve {
                 (jet.position, if end.dv == 0.0 { jet.dv } else { jet.dv + jet.ds * end.dv })
             }
             Curve::Beside { sheet } => {
-                let (p, dp) = Curve::Start(Arc::clone(sheet)).at(v);
-                sheet.beside(v).filter(|(q, _)| sheet.skin().frame().axis().dot(p - *q) > 0.0).unwrap_or((p, dp))
+                let Some(heel) = sheet.heel(v) else { return Curve::Start(Arc::clone(sheet)).at(v) };
+                let jet = heel.jet(0.0);
+                (jet.position, jet.dv)
             }
             Curve::Level { curve, sheet, level } => {
                 let (p, dp) = curve.at(v);

@@ -35,6 +35,8 @@ pub(crate) enum Form {
     Ruled { from: Curve, to: Curve },
     /// Half circles over the strip from one end of two sheets to the other.
     Bead(Bead),
+    /// Arcs round the foot of the surface, from beside it to where an offset sheet begins above it, or nothing where that begins no higher.
+    Heel { sheet: Arc<Sheet> },
     /// Arcs round a corner of the profile, from the side below it to that above, or back.
     Shoulder { crease: Arc<Crease>, is_back: bool },
 }
@@ -116,6 +118,13 @@ impl Form {
             Form::Sheet { .. } => None,
             Form::Ruled { from, to } => Some(Across::Ruled { from: from.at(v), to: to.at(v) }),
             Form::Bead(bead) => Some(bead.across(v)),
+            Form::Heel { sheet } => Some(match sheet.heel(v) {
+                Some(shoulder) => Across::Shoulder { shoulder, is_back: false },
+                None => {
+                    let start = Curve::Start(Arc::clone(sheet)).at(v);
+                    Across::Ruled { from: start, to: start }
+                }
+            }),
             Form::Shoulder { crease, is_back } => {
                 Some(Across::Shoulder { shoulder: crease.shoulder(v), is_back: *is_back })
             }
@@ -263,6 +272,11 @@ impl Face for Piece {
             }
             Form::Bead(Bead { from, to, .. }) => {
                 let (_, round) = from.knots().or_else(|| to.knots())?;
+                Some(Seams::across(BEAD_PIECES, round))
+            }
+            Form::Heel { sheet } => {
+                let (_, mut round) = sheet.knots()?;
+                round.extend(sheet.crossings());
                 Some(Seams::across(BEAD_PIECES, round))
             }
             Form::Shoulder { crease, .. } => {

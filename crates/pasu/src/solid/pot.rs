@@ -47,7 +47,7 @@ const POINT: f64 = 1e-6;
 ///   that touches the surface at `P` on that side and holds no other point of it.
 /// - **Sharp rings.** Round a corner of the profile the other side of the wall is mitred where it turns inwards, and rounded where it turns outwards by more than a little: nowhere thinner than asked for, and never folded.
 /// - **Base.** Inside: a level floor, `base` above the highest point of the foot or of the recess, down to which the lining is trimmed; where the lining begins above it, it is led straight down. Outside: the
-///   foot of the surface bounds the floor, and the outside is trimmed or led down to a level `base` below the lowest point of the floor; where the wall leans inwards at the foot, and so begins above it, by way of the place beside the foot. A `base` of 0 makes a tube with two rims.
+///   foot of the surface bounds the floor, and the outside is trimmed or led down to a level `base` below the lowest point of the floor; where the wall leans inwards at the foot, and so begins above it, by way of an arc round the foot. A `base` of 0 makes a tube with two rims.
 /// - **Round bottom.** Where the foot is a point, the level is `base` from that point. Where the other side of the wall is beyond it there is no floor, only the wall.
 /// - **Foot that is not level.** Its disc is the cone from the curve to the middle of the area that it goes round, which must see the whole curve.
 /// - **Solid.** The surface with a level disc at each open end. An end that is not level is first led straight along the axis to the level of its furthest point.
@@ -553,7 +553,7 @@ impl Builder<'_> {
         // The edge of the clay at the design's side of the base, and at the other.
         let middle = if is_pole { outline.mean } else { self.disc(&outline, "shape", "foot")? };
         let edge = Arc::new(Curve::Start(Arc::clone(&offset)));
-        // Outside, straight down from above the foot would be through it: first to its side.
+        // Outside, straight down from above the foot would be through it: first round it, to its side.
         let beside =
             Arc::new(if is_led && !inside { Curve::Beside { sheet: Arc::clone(&offset) } } else { (*edge).clone() });
         let level_edge = Arc::new(if is_led {
@@ -612,7 +612,7 @@ impl Builder<'_> {
         }
         if !inside && is_led {
             self.ruled(FaceKind::Outer, &level_edge, &beside, false, is_exact);
-            self.ruled(FaceKind::Outer, &beside, &edge, false, is_exact);
+            self.push(FaceKind::Outer, Form::Heel { sheet: Arc::clone(&offset) }, false, is_exact);
         }
         self.flank(FaceKind::Outer, &outer, false);
         self.rim(wall, outer.last(), lining.last(), 1.0);

@@ -6,9 +6,9 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use glam::DVec3;
 
-use super::crease::{Crease, Foot};
+use super::crease::{Crease, Foot, Shoulder};
 use super::offset::{SheetJet, offset};
-use super::skin::{Skin, SkinWalk};
+use super::skin::{Skin, SkinJet, SkinWalk};
 use super::thickness::{SplineRow, Thickness};
 use crate::numeric::scattered::Scatter;
 use crate::numeric::{bisection, illinois};
@@ -298,27 +298,33 @@ impl Sheet {
         Some([below, above])
     }
 
-    /// The point of an offset sheet's column that is level with the foot of the surface and to its side, `P + t M` with `M` the outward normal of the foot seen along the axis, and how it changes
-    /// with `v`; `None` where the column does not begin at the foot.
-    pub(crate) fn beside(&self, v: f64) -> Option<(DVec3, DVec3)> {
+    /// The way from the point that is level with the foot of the surface and to its side, `P + t M` with `M` the outward normal of the foot seen along the axis, to where an offset sheet's column begins above it: an arc about
+    /// the foot, so that the wall is nowhere thinner than it is above; `None` where the column begins elsewhere, or no higher.
+    pub(super) fn heel(&self, v: f64) -> Option<Shoulder> {
         let WallSide::Offset { direction } = self.face else { return None };
         if self.start(v).s != 0.0 {
             return None;
         }
         let frame = self.skin.frame();
-        let jet = self.skin.second(0.0, v);
+        let (jet, SkinJet { normal, normal_v, .. }) = (self.skin.second(0.0, v), self.skin.jet(0.0, v));
         let [t, _, t_v] = self.thickness.at(0.0, v).map(|t| t * direction);
         // Outward of a curve that goes round as the foot does: to the right if it goes round anti-clockwise.
         let (tangent, dtangent) = (frame.turned(jet.dv), frame.turned(jet.dvv));
         let length = tangent.length();
-        if !(length > 0.0) {
+        if !(length > 0.0 && frame.axis().dot(normal) * t > 0.0) {
             return None;
         }
         let turn = self.skin.turn();
         let unit = tangent / length;
         let dunit = (dtangent - unit * unit.dot(dtangent)) / length;
-        let (normal, dnormal) = (frame.lifted(-unit.perp() * turn), frame.lifted(-dunit.perp() * turn));
-        Some((jet.position + normal * t, jet.dv + normal * t_v + dnormal * t))
+        let level = [frame.lifted(-unit.perp() * turn), frame.lifted(-dunit.perp() * turn)];
+        Some(Shoulder::between([jet.position, jet.dv, jet.dvv], level, [normal, normal_v], [t, t_v]))
+    }
+
+    /// The greatest radius and the greatest angle of these arcs.
+    pub(crate) fn greatest_heel(&self) -> [f64; 2] {
+        let arcs = self.skin.round().filter_map(|v| self.heel(v));
+        arcs.fold([0.0; 2], |[radius, turn], arc| [arc.radius().max(radius), arc.turn().max(turn)])
     }
 
     /// The derivative of `S_v` with respect to `v` at the foot of the design surface, which is known; elsewhere it is not.

@@ -251,6 +251,11 @@ impl Weaver<'_> {
                 let n = libm::ceil(PI / (2.0 * libm::acos(1.0 - 2.0 * share))).clamp(4.0, 64.0) as usize;
                 (1..n).map(|i| self.curve(piece, i as f64 / n as f64)).collect()
             }
+            Form::Heel { sheet } => {
+                let [radius, turn] = sheet.greatest_heel();
+                let n = self.chords(radius, turn);
+                (1..n).map(|i| self.curve(piece, i as f64 / n as f64)).collect()
+            }
             Form::Shoulder { crease, .. } => {
                 let n = self.chords(crease.radius(), crease.greatest_turn());
                 (1..n).map(|i| self.curve(piece, i as f64 / n as f64)).collect()

@@ -93,13 +93,17 @@ fn offset(profile: &[DVec2], thickness: f64) -> Vec<Piece> {
     pieces
 }
 
-/// The same from a level on: cut there, or led straight down to it. A side that begins above the foot, which is at level 0, is first led to a place beside the foot where the floor is beneath that.
-fn from_level(mut pieces: Vec<Piece>, level: f64, beside: f64) -> Vec<Piece> {
+/// The same from a level on: cut there, or led straight down to it. A side that begins above the foot, which is at level 0, is first led round it to its side where the floor is beneath that.
+fn from_level(mut pieces: Vec<Piece>, level: f64, foot: f64) -> Vec<Piece> {
     if let Some(Piece::Line(from, _)) = pieces.first().copied()
         && level < 0.0
         && from.y > 0.0
     {
-        pieces.insert(0, Piece::Line(DVec2::new(beside, 0.0), from));
+        let (centre, radius) = (DVec2::new(foot, 0.0), from.distance(DVec2::new(foot, 0.0)));
+        pieces.insert(0, Piece::Arc { centre, radius, from: 0.0, to: (from - centre).to_angle() });
+        let beside = centre + DVec2::X * radius;
+        pieces.insert(0, Piece::Line(DVec2::new(beside.x, level), beside));
+        return pieces;
     }
     while let Some(Piece::Line(from, to)) = pieces.first().copied() {
         if to.y < level {
@@ -149,7 +153,7 @@ fn cones_and_cylinders_measure_as_they_do_by_formula() {
                 let other = offset(&profile, if is_inside { -thickness } else { thickness });
                 n_arcs += other.iter().filter(|piece| matches!(piece, Piece::Arc { .. })).count();
                 n_mitres += profile.len() - 2 - other.iter().filter(|piece| matches!(piece, Piece::Arc { .. })).count();
-                let other = from_level(other, if is_inside { base } else { -base }, profile[0].x + thickness);
+                let other = from_level(other, if is_inside { base } else { -base }, profile[0].x);
                 let (outer, lining) = if is_inside { (&surface, &other) } else { (&other, &surface) };
                 let ([foot, brim], [floor, top]) = (ends(outer), ends(lining));
                 let rim = Piece::Line(brim, top);
