@@ -113,7 +113,11 @@ test("what stands on an edge or a point is not said to touch the table with all 
       footprint: { level: -1, area: q(0), hullArea: q(hullArea), hull: [] },
     } as unknown as Measures);
   for (const area of [0, 1e-7]) expect(on(area).Footprint).toBe("0 cm² (it stands on an edge or a point)");
-  expect(on(12).Footprint).toBe("12 cm² (of which 0 cm² touch the table)");
+  // A tube that flares.
+  expect(on(12).Footprint).toBe("12 cm² (of which only edges or points touch the table)");
+  const footprint = { level: -1, area: q(3), hullArea: q(12), hull: [] };
+  const ring = lines({ ...MEASURES, footprint } as unknown as Measures);
+  expect(ring.Footprint).toBe("12 cm² (of which 3 cm² touch the table)");
 });
 
 test("widths that read alike are one, unless they are told more exactly", () => {

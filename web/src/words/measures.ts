@@ -150,10 +150,9 @@ function standing({ centre, tipping, footprint, bottom, width }: Measures, unit:
   if (footprint) {
     const { area, hullArea } = footprint;
     const onEdge = hullArea.value <= EDGE * width.greatest.value ** 2;
-    const touching =
-      hullArea.value - area.value <= SAME * hullArea.value
-        ? said.allTouches
-        : said.touches(areaWords(area.value, unit));
+    const part =
+      area.value <= EDGE * width.greatest.value ** 2 ? said.edgeTouches : said.touches(areaWords(area.value, unit));
+    const touching = hullArea.value - area.value <= SAME * hullArea.value ? said.allTouches : part;
     const nothing = { value: 0, error: Math.max(hullArea.value, hullArea.error) };
     lines.push(
       onEdge

@@ -28,6 +28,7 @@ mod saddle;
 mod share;
 mod standing;
 mod taken;
+mod touching;
 mod trimmed;
 mod water;
 mod whole_face;

@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::moments::element;
 use super::quantity::Quantity;
+use super::touching::{self, Touching};
 use super::widths::{self, Contact, Widths};
 use crate::face::{Face, FaceJet, FaceKind, FaceWalk, Seams};
 use crate::numeric::ascend::ascend;
@@ -64,6 +65,13 @@ impl Plan {
             }
         })
     }
+}
+
+/// Where a body is lowest: single points, curves on its faces, and faces that lie at that level as a whole.
+pub(crate) struct Lowest<'a> {
+    pub(crate) points: Vec<DVec3>,
+    pub(crate) edges: Vec<Touching<'a>>,
+    pub(crate) faces: Vec<&'a dyn Face>,
 }
 
 /// How far a face may reach beyond the points of its grid, as a part of the extent.
@@ -308,31 +316,42 @@ impl<'a> Outside<'a> {
         best
     }
 
-    /// Every lowest point to within a tolerance, and the faces that lie at that level as a whole.
-    pub(crate) fn lowest(&self, bottom: f64, tolerance: f64) -> (Vec<DVec3>, Vec<usize>) {
-        let (mut points, mut whole) = (Vec::new(), Vec::new());
-        for (index, (face, grid)) in self.faces.iter().enumerate() {
-            let near = |jet: &FaceJet| jet.position.z <= bottom + tolerance;
-            if grid.points().iter().all(near) {
-                whole.push(index);
+    /// Where it is lowest, to within a tolerance.
+    pub(crate) fn lowest(&self, bottom: f64, tolerance: f64) -> Lowest<'a> {
+        let mut lowest = Lowest { points: Vec::new(), edges: Vec::new(), faces: Vec::new() };
+        let level = bottom + tolerance;
+        for (face, grid) in &self.faces {
+            if grid.points().iter().all(|jet| jet.position.z <= level) {
+                lowest.faces.push(*face);
                 continue;
             }
             let of = |jet: &FaceJet| -jet.position.z;
-            let mut walk = face.walk();
-            let (step_a, step_v) = grid.steps();
-            for start in grid.tops(of, -bottom - 0.05 * self.extent, |_| true) {
+            let near = -bottom - 0.05 * self.extent;
+            if grid.points().iter().map(of).fold(f64::MIN, f64::max) < near {
+                continue;
+            }
+            let edges = touching::level_ends(*face, grid, level, 1e-9 * self.size);
+            let is_edge = |a: f64| edges.iter().any(|edge| edge.is_end(a));
+            let (mut walk, (step_a, step_v)) = (face.walk(), grid.steps());
+            if edges.is_empty()
+                && let Some(crest) = touching::level_crest(*face, grid, level, -near)
+            {
+                lowest.edges.push(crest);
+                continue;
+            }
+            for start in grid.tops(of, near, |_| true).into_iter().filter(|start| !is_edge(start.a)) {
                 let Place { a, v, value } = climb(start, step_a, step_v, |a, v| of(&walk.jet(a, v)));
-                if -value <= bottom + tolerance {
-                    points.push(face.jet(a, v).position);
+                if -value > level {
+                    continue;
+                }
+                match touching::level_ridge(*face, v, level) {
+                    Some(ridge) => lowest.edges.push(ridge),
+                    None => lowest.points.push(face.jet(a, v).position),
                 }
             }
+            lowest.edges.extend(edges);
         }
-        (points, whole)
-    }
-
-    /// One of the faces.
-    pub(crate) fn face(&self, index: usize) -> &'a dyn Face {
-        self.faces[index].0
+        lowest
     }
 
     pub(crate) fn size(&self) -> f64 {

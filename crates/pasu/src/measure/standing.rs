@@ -6,11 +6,11 @@ use glam::{DVec2, DVec3};
 
 use super::accuracy::Accuracy;
 use super::moments::area;
-use super::outside::{Outside, degrees, hull, polygon_area};
+use super::outside::{Lowest, Outside, degrees, hull, polygon_area};
 use super::quantity::Quantity;
+use super::touching::Touching;
 use crate::answer::answers;
 use crate::face::Face;
-use crate::numeric::trapezoid::round;
 use crate::numeric::{brent, minima, romberg};
 
 /// Points of a pot that are less than this part of its size above the lowest one stand on the table too.
@@ -58,24 +58,65 @@ pub(crate) struct Standing<'a> {
     size: f64,
 }
 
-/// An edge of a face on which a pot stands.
+/// A curve on which a pot stands.
 struct Edge<'a> {
-    face: &'a dyn Face,
-    a: f64,
-    /// Points at even angles once round.
+    curve: Touching<'a>,
+    /// Points at even parts of the way.
     points: Vec<DVec2>,
+    /// More of them, with how they change.
+    slopes: Option<Vec<[DVec2; 2]>>,
 }
 
 impl<'a> Edge<'a> {
-    fn new(face: &'a dyn Face, a: f64, columns: usize) -> Edge<'a> {
-        Edge { face, a, points: points(face, a, columns).collect() }
+    fn new(curve: Touching<'a>, columns: usize) -> Edge<'a> {
+        Edge { points: curve.points(columns), curve, slopes: None }
     }
-}
 
-/// Points of a face at even angles once round.
-fn points(face: &dyn Face, a: f64, n: usize) -> impl Iterator<Item = DVec2> {
-    let mut walk = face.walk();
-    round(n).map(move |v| walk.jet(a, v).position.truncate())
+    /// How far it reaches in a direction, if that is further than `most`; else that.
+    fn reach(&self, direction: DVec2, most: f64) -> f64 {
+        match &self.slopes {
+            Some(slopes) => self.reach_by_slopes(slopes, direction, most),
+            None => self.reach_by_points(direction, most),
+        }
+    }
+
+    /// By every stretch on which it first goes further and then less far: no further than where the tangents at both ends of it meet, as long as it does not turn back and forth there.
+    fn reach_by_slopes(&self, slopes: &[[DVec2; 2]], direction: DVec2, most: f64) -> f64 {
+        let places: Vec<[f64; 2]> = slopes.iter().map(|both| both.map(|each| each.dot(direction))).collect();
+        let mut most = places.iter().map(|[reach, _]| *reach).fold(most, f64::max);
+        let n = if self.curve.is_closed() { places.len() } else { places.len() - 1 };
+        let step = TAU / n as f64;
+        let mut walk = self.curve.walk();
+        for i in 0..n {
+            let ([from, rising], [to, falling]) = (places[i], places[(i + 1) % places.len()]);
+            if rising > 0.0 && falling < 0.0 {
+                let meeting = from + rising * (to - from - falling * step) / (rising - falling);
+                if meeting >= most {
+                    let [low, high] = [i, i + 1].map(|k| k as f64 * step);
+                    most = most.max(walk.top((low, rising), (high, falling), direction));
+                }
+            }
+        }
+        most
+    }
+
+    /// By every point that reaches further than both beside it: a parabola that is highest beside the middle of three points rises from there by an eighth of what it falls at most.
+    fn reach_by_points(&self, direction: DVec2, most: f64) -> f64 {
+        let reaches: Vec<f64> = self.points.iter().map(|p| p.dot(direction)).collect();
+        let mut most = reaches.iter().copied().fold(most, f64::max);
+        let (n, last) = (reaches.len(), reaches.len() - 1);
+        let step = TAU / if self.curve.is_closed() { n } else { last } as f64;
+        let mut walk = self.curve.walk();
+        for (i, here) in reaches.iter().enumerate() {
+            let is_end = !self.curve.is_closed() && (i == 0 || i == last);
+            let beside = [(i + last) % n, (i + 1) % n].map(|k| if is_end { *here } else { reaches[k] });
+            let gain = (here - beside[0].min(beside[1])) * GAIN;
+            if beside.iter().all(|other| other <= here) && here + gain >= most {
+                most = most.max(walk.farthest(i as f64 * step, step, direction));
+            }
+        }
+        most
+    }
 }
 
 /// How closely a single point of contact is found, as a part of the size: the place of a lowest point is known to half of the digits of its height.
@@ -83,6 +124,15 @@ const PLACE: f64 = 1e-7;
 
 /// How closely the nearest edge of the hull is found, in radians, and what its distance is off by, as a part of the size.
 const NEAREST: f64 = 1e-10;
+
+/// Points that are as near, as a part of the size, are one.
+const SAME: f64 = 1e-12;
+
+/// For each column so many places of a curve at which it is known how it changes: petals that touch the hull beside an inflection are seen.
+const SLOPES: usize = 4;
+
+/// By which part of what a curve falls to the next of its points it may rise between them.
+const GAIN: f64 = 0.25;
 
 /// Edges of the hull that are looked at again: its corners on a round edge are a little off.
 const LOOKED_AT: usize = 6;
@@ -95,18 +145,47 @@ impl<'a> Standing<'a> {
         let mut standing =
             Standing { level, points: Vec::new(), edges: Vec::new(), touching: Vec::new(), columns, size };
         for body in bodies {
-            let (points, whole) = body.lowest(level, STANDING * size);
+            let Lowest { points, edges, faces } = body.lowest(level, STANDING * size);
             standing.points.extend(points.iter().map(|p| p.truncate()));
-            for face in whole.into_iter().map(|index| body.face(index)) {
-                standing.touching.push(face);
-                standing.edges.extend([0.0, 1.0].map(|a| Edge::new(face, a, columns)));
-            }
+            let curves = faces.iter().flat_map(|face| Touching::all(*face)).chain(edges);
+            standing.edges.extend(curves.map(|curve| Edge::new(curve, columns)));
+            standing.touching.extend(faces);
         }
+        standing.leave_out();
         standing
     }
 
+    /// Leaves out curves that are plainly within the hull, and those that are there already, as where two faces meet.
+    fn leave_out(&mut self) {
+        let same = SAME * self.size;
+        let all: Vec<DVec2> = self.edges.iter().flat_map(|edge| &edge.points).chain(&self.points).copied().collect();
+        let hull = hull(&all);
+        let depth = |p: &DVec2| {
+            let sides = hull.iter().zip(hull.iter().cycle().skip(1));
+            sides.map(|(a, b)| (*b - *a).perp_dot(*p - *a) / a.distance(*b)).fold(f64::INFINITY, f64::min)
+        };
+        let is_near = |edge: &Edge| {
+            let step = edge.points.windows(2).map(|pair| pair[0].distance(pair[1])).fold(same, f64::max);
+            hull.len() < 3 || edge.points.iter().any(|p| depth(p) <= step)
+        };
+        let mut edges: Vec<Edge> = Vec::new();
+        for edge in self.edges.drain(..).filter(is_near) {
+            let is_there = |other: &Edge| {
+                let mut pairs = other.points.iter().zip(&edge.points);
+                other.points.len() == edge.points.len() && pairs.all(|(p, q)| p.distance(*q) <= same)
+            };
+            if !edges.iter().any(is_there) {
+                edges.push(edge);
+            }
+        }
+        for edge in &mut edges {
+            edge.slopes = edge.curve.slopes(SLOPES * self.columns);
+        }
+        self.edges = edges;
+    }
+
     fn edge(&self, n: usize) -> Vec<DVec2> {
-        let on_edges = self.edges.iter().flat_map(|edge| points(edge.face, edge.a, n));
+        let on_edges = self.edges.iter().flat_map(|edge| edge.curve.points(n));
         self.points.iter().copied().chain(on_edges).collect()
     }
 
@@ -133,20 +212,7 @@ impl<'a> Standing<'a> {
 
     fn reach_of_edges(&self, from: DVec2, angle: f64) -> f64 {
         let direction = DVec2::new(libm::cos(angle), libm::sin(angle));
-        let mut most = f64::MIN;
-        let reach = |p: DVec2| (p - from).dot(direction);
-        for Edge { face, a, points } in &self.edges {
-            let far = round(points.len())
-                .zip(points)
-                .map(|(v, p)| (v, reach(*p)))
-                .fold((0.0, f64::MIN), |best, here| if here.1 > best.1 { here } else { best });
-            let mut walk = face.walk();
-            let mut at = |v: f64| reach(walk.jet(*a, v).position.truncate());
-            let step = TAU / points.len() as f64;
-            let (_, refined) = brent::least(far.0 - step, far.0 + step, 1e-9, |v| -at(v));
-            most = most.max(far.1).max(-refined);
-        }
-        most
+        self.edges.iter().fold(f64::MIN, |most, edge| edge.reach(direction, most)) - from.dot(direction)
     }
 
     /// The tilt about the nearest edge of the hull; `error` is that of the coordinates of the centre.

@@ -10,6 +10,7 @@ use super::told::place;
 use crate::design::{BoundaryValue, plain};
 use crate::error::{Code, Error, Result};
 use crate::numeric::golden_section;
+use crate::numeric::limit::limit;
 use crate::patch::SurfaceJet;
 use crate::solution::{Columns, Placed, Stretch, Upright, Walk};
 
@@ -34,7 +35,7 @@ const COLUMNS: (usize, usize) = (48, 512);
 /// `|X_s x X_v|` counts as vanished when it is this small against the lengths of both.
 const VANISHED: f64 = 1e-9;
 
-/// How far from a pole the normal is taken where it has no limit of first order.
+/// How far from a pole the normal is taken where it has no limit of first order. Its derivatives there are limits from 1, 2, 3 and 4 times as far.
 const BESIDE_POLE: f64 = 1e-5;
 
 /// An [`Upright`] surface that closes round and is wide everywhere between its ends: what can carry a wall.
@@ -285,9 +286,14 @@ impl Skin {
         if !is_pole && let Some([normal, normal_s, normal_v]) = self.normal(jet) {
             return SkinJet { position: jet.position, ds: jet.du, dv: jet.dv, normal, normal_s, normal_v };
         }
-        let beside = self.second(s + inward * BESIDE_POLE, v);
-        let [mut normal, normal_s, normal_v] = self.normal(&beside).unwrap_or([DVec3::ZERO; 3]);
+        let beside = |n: f64| self.normal(&self.second(s + inward * n * BESIDE_POLE, v));
+        let [mut normal, mut normal_s, mut normal_v] = beside(1.0).unwrap_or([DVec3::ZERO; 3]);
         if is_pole {
+            if let [Some(one), Some(two), Some(three), Some(four)] = [1.0, 2.0, 3.0, 4.0].map(beside) {
+                let near = [one, two, three, four];
+                let limit = |which: usize| [0, 1, 2].map(|axis| limit(|n| near[n as usize - 1][which][axis]).0);
+                (normal_s, normal_v) = (DVec3::from_array(limit(1)), DVec3::from_array(limit(2)));
+            }
             // By Taylor's formula X_s x X_v = h (X_s x X_sv) at a distance h from a pole.
             let limit = jet.du.cross(jet.duv) * (inward * self.outward());
             if limit.length() > 1e-9 * jet.du.length() * jet.duv.length() {

@@ -44,6 +44,7 @@ mod single_precision;
 mod sketch;
 mod solid;
 mod space;
+mod standing;
 mod support;
 mod surfaces;
 mod tolerance;

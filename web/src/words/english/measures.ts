@@ -29,6 +29,7 @@ export const measures = phrases("measures", {
   aboveFootOff: (off: string) => `above the foot, ${off} from the axis`,
   footprint: "Footprint",
   allTouches: "all of it touches the table",
+  edgeTouches: "of which only edges or points touch the table",
   touches: (area: string) => `of which ${area} touch the table`,
   standsOnEdge: "it stands on an edge or a point",
   everyWay: "in every direction",
