@@ -674,17 +674,25 @@ test("a new network is one of the pictures", async () => {
   expect(await told(pot)).toContain("110 patches through 330 points");
 });
 
-test("a large network that is dragged, undone and dragged again is drawn as one that is drawn anew", {
-  timeout: 120_000,
-}, async () => {
+/** A sheet of 500 patches with its points on the stage: its fingerprint, and where the middle of the stage is. */
+async function sheetAtHand() {
   const pot = await here.enter({});
   const first = await pot.fingerprint();
-  await pot.dropFile("sheet.json", JSON.stringify(sheet(20, 25)));
+  const large = sheet(20, 25);
+  await pot.dropFile("sheet.json", JSON.stringify(large));
   const plain = await pot.fingerprintOtherThan(first);
   await pot.button("Points on the stage").click();
   await pot.page.locator("pasu-network-handles canvas").last().waitFor();
   const box = await pot.page.locator("pasu-network-handles").boundingBox();
-  const [x, y] = [(box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2];
+  const middle: [number, number] = [(box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2];
+  return { pot, plain, middle, large };
+}
+
+test("a large network that is dragged, undone and dragged again is drawn as one that is drawn anew", {
+  timeout: 120_000,
+}, async () => {
+  const { pot, plain, middle } = await sheetAtHand();
+  const [x, y] = middle;
   const pull = async (from: readonly [number, number], by: readonly [number, number]) => {
     const before = await pot.fingerprint();
     await pot.page.mouse.move(from[0], from[1]);
@@ -714,16 +722,9 @@ test("a large network that is dragged, undone and dragged again is drawn as one 
 });
 
 test("a hand on a large network has its points and their numbers drawn, and nothing else of the page", async () => {
-  const pot = await here.enter({});
-  const first = await pot.fingerprint();
-  const large = sheet(20, 25);
-  await pot.dropFile("sheet.json", JSON.stringify(large));
-  const plain = await pot.fingerprintOtherThan(first);
-  await pot.button("Points on the stage").click();
-  await pot.page.locator("pasu-network-handles canvas").last().waitFor();
+  const { pot, plain, middle, large } = await sheetAtHand();
   await countDrawn(pot);
-  const box = await pot.page.locator("pasu-network-handles").boundingBox();
-  const [x, y] = [(box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2 + 80];
+  const [x, y] = [middle[0], middle[1] + 80];
   await pot.page.mouse.move(x, y);
   await pot.page.mouse.down();
   // With the first movements the point is picked, and the bar says that there is something to undo.
@@ -757,14 +758,8 @@ test("a hand on a large network has its points and their numbers drawn, and noth
 });
 
 test("the first movement of a large network is written over in the mesh that stands at rest", async () => {
-  const pot = await here.enter({});
-  const first = await pot.fingerprint();
-  await pot.dropFile("sheet.json", JSON.stringify(sheet(20, 25)));
-  await pot.fingerprintOtherThan(first);
-  await pot.button("Points on the stage").click();
-  await pot.page.locator("pasu-network-handles canvas").last().waitFor();
-  const box = await pot.page.locator("pasu-network-handles").boundingBox();
-  const [x, y] = [(box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2 + 80];
+  const { pot, middle } = await sheetAtHand();
+  const [x, y] = [middle[0], middle[1] + 80];
   await pot.page.mouse.move(x, y);
   await pot.page.mouse.down();
   expect(await meshAfter(pot, async () => await pot.page.mouse.move(x, y - 12))).toBe("the same arrays");

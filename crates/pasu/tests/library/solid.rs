@@ -57,7 +57,7 @@ fn corner(mesh: &SolidMesh, vertex: u32) -> [f64; 3] {
 }
 
 /// The enclosed volume in cubic millimetres.
-fn volume(mesh: &SolidMesh) -> f64 {
+pub(crate) fn volume(mesh: &SolidMesh) -> f64 {
     let volume = |t: &[u32]| {
         let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = [0, 1, 2].map(|i| corner(mesh, t[i]));
         ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)

@@ -141,7 +141,7 @@ fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
     lower
 }
 
-/// Holds what is told of a pot against its lowest points; `false` where it is none.
+/// Holds what is told of a pot against its lowest points; `false` where it is none, or too few of these are met to tell when it falls.
 fn stands_as_told(name: &str, design: &Design) -> bool {
     let solution = Solution::of(design);
     let Ok(pot) = solution.pot(0, Product::Pot) else { return false };
@@ -170,13 +170,13 @@ fn stands_as_told(name: &str, design: &Design) -> bool {
     let area = 0.5 * sides().map(|(p, q)| p.perp_dot(*q)).sum::<f64>();
     // Points that are single ones are hardly met.
     if hull.len() < 3 || area < 1e-4 * size * size {
-        return true;
+        return false;
     }
     let told = footprint.hull_area;
     assert!(told.value >= area * (1.0 - 1e-5) - told.error, "{name}: told {told:?}, there {area}");
     // Of what is level to a millionth the whole is told, and not all of it is met.
     if told.value > area * 1.001 {
-        return true;
+        return false;
     }
     let reach = sides().map(|(p, q)| cross(*p, *q, centre.truncate()) / p.distance(*q)).fold(f64::INFINITY, f64::min);
     let angle = (reach.max(0.0) / (centre.z - footprint.level)).atan().to_degrees();
@@ -195,5 +195,6 @@ fn nothing_of_a_random_pot_stands_that_is_not_told() {
         n_held += u64::from(stands_as_told(&format!("seed {seed}"), &design(&upright(seed))));
         n_held += u64::from(stands_as_told(&format!("seed {seed} as drawn"), &design(&Random::new(seed).design())));
     }
-    assert!(n_held > n, "only {n_held} were held against their lowest points");
+    // As drawn many are tilted, and stand on points.
+    assert!(5 * n_held > 4 * n, "only {n_held} were held against their lowest points");
 }
