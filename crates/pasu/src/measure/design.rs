@@ -355,12 +355,12 @@ fn width(outside: &Outside) -> Width {
 
 /// `None` where the face is too large or too small for its normal to be known.
 fn overhang(Spot { value, error, at, face }: Spot) -> Option<Overhang> {
-    (value.is_finite() && error.is_finite()).then_some(Overhang {
-        degrees: value.to_degrees(),
-        error: error.to_degrees(),
-        at: at.to_array(),
-        face,
-    })
+    let degrees = value.to_degrees();
+    // No wall leans by more than a quarter of a turn to either side: where normals jump, as at the needles of an octant, nothing closer may be known.
+    let most = 90.0 + degrees.abs();
+    let error = error.to_degrees();
+    let error = if error <= most { error } else { most };
+    value.is_finite().then_some(Overhang { degrees, error, at: at.to_array(), face })
 }
 
 /// The measures of several parts together.

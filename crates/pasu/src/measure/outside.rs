@@ -151,7 +151,9 @@ impl<'a> Outside<'a> {
             let mut walk = face.walk();
             (face, Grid::new(rows, columns, |a, v| walk.jet(a, v)))
         };
-        let faces: Vec<_> = faces.into_iter().map(|face| sampled(face, rows(face), columns)).collect();
+        // What goes to an end and back has that right across, and the corners of a patch are as far out as anything.
+        let round = |face: &dyn Face| if face.goes_back(1.5 * PI) { columns.next_multiple_of(2) } else { columns };
+        let faces: Vec<_> = faces.into_iter().map(|face| sampled(face, rows(face), round(face))).collect();
         let points = || faces.iter().flat_map(|(_, grid)| grid.points()).map(|jet| jet.position);
         let size = points().fold(0.0f64, |size, p| size.max(p.abs().max_element()));
         let [low, high] =

@@ -6,6 +6,7 @@ use serde_json::json;
 
 use crate::support::design_of;
 use crate::support::networks::{Dice, Net, Wrap, cube, cubes_at_random, edges, farthest, measured, polycube, torus};
+use crate::support::random::drawn;
 
 #[test]
 fn a_cube_of_frames_is_a_solid() {
@@ -289,4 +290,40 @@ fn bodies_that_branch_are_solids_of_their_volume() {
         assert!(farthest(&design, &mesh) <= 0.02 && measured(&design).parts[0].body.clay.unwrap().volume.value > 0.0);
     }
     assert!(made >= 20 && refused >= 1, "{made} {refused}");
+}
+
+/// The corners at the end of a patch were not asked how far out they are, and beside steep ones no place was near enough: widths, tops and bottoms of 29 of these 400 networks were told too small, by up to 0.014.
+#[test]
+fn no_corner_of_a_random_network_is_beyond_what_is_told() {
+    const N: usize = 24;
+    for seed in 0..drawn(40, 400) {
+        let mut dice = Dice(seed);
+        let n_cubes = 1 + dice.below(4);
+        let mut net = polycube(&cubes_at_random(n_cubes, &mut dice), &mut dice);
+        for vertex in &mut net.vertices {
+            *vertex = vertex.map(|x| x + 0.25 * dice.number());
+        }
+        let design = design_of(&net.shape(&json!("global")).to_string());
+        let places = (0..net.patches.len()).flat_map(|patch| {
+            (0..=N).flat_map(move |i| (0..=N).map(move |j| [patch as f64, i as f64 / N as f64, j as f64 / N as f64]))
+        });
+        let at: Vec<f64> = places.flatten().collect();
+        let found = pasu::evaluate(&design, 0, &at).unwrap();
+        let points: Vec<DVec3> = found.chunks_exact(3).map(DVec3::from_slice).collect();
+        let body = &measured(&design).parts[0].body;
+        let most = |direction: DVec3| points.iter().map(|p| p.dot(direction)).fold(f64::MIN, f64::max);
+        for (told, reach) in [(body.top, most(DVec3::Z)), (-body.bottom, most(-DVec3::Z))] {
+            assert!(reach <= told + 1e-12 && told - reach < 0.02, "seed {seed}: told {told}, there {reach}");
+        }
+        let across = |degrees: f64| {
+            let direction = DVec3::new(degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0);
+            most(direction) + most(-direction)
+        };
+        let width = &body.width;
+        for (told, direction) in [(width.least, width.least_direction), (width.greatest, width.greatest_direction)] {
+            let there = across(direction);
+            assert!(there <= told.value + told.error + 1e-9, "seed {seed}: told {told:?}, there {there}");
+            assert!(told.value - there < 0.02, "seed {seed}: told {told:?}, there {there}");
+        }
+    }
 }

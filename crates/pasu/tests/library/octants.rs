@@ -370,3 +370,16 @@ fn an_octant_with_blades_and_needles_is_made_where_it_is_turned_or_moved() {
     }
     assert!(n_made > 30 * n_thin, "{n_made} made, {n_thin} too thin");
 }
+
+/// It was told by 552 degrees.
+#[test]
+fn no_overhang_is_off_by_more_than_a_wall_can_lean() {
+    let mut dice = Dice(5);
+    for _ in 0..drawn(20, 200) {
+        let place = json!({ "scale": [2, 1.5, 0.8], "axis": [0.9, 0.8, -0.4], "angle": dice.number() });
+        let document =
+            json!({ "pasu": 1, "parts": [{ "shape": octant(exponents(&mut dice, 0.3, 3.0)), "place": place }] });
+        let told = measured(&design(&document.to_string())).parts[0].overhang.unwrap_or_else(|| panic!("{document}"));
+        assert!(told.degrees.abs() <= 90.0 && told.error <= 90.0 + told.degrees.abs(), "{told:?} {document}");
+    }
+}
