@@ -5,11 +5,12 @@
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
+use crate::support::random::{Random, drawn};
 use crate::support::{design, gallery};
 use miniz_oxide::inflate::decompress_to_vec;
 use pasu::{
-    Craft, Design, Face, Format, Making, Pot, Product, Size, SolidMesh, fingerprint, obj_materials, open, provenance,
-    solid, write,
+    Craft, Design, Face, Format, Making, MeasureOptions, Pot, Product, Size, SolidMesh, fingerprint, measure,
+    obj_materials, open, provenance, solid, write,
 };
 use serde_json::Value;
 use xxhash_rust::xxh64::xxh64;
@@ -531,4 +532,39 @@ fn files_can_be_kept() {
             println!("{}.{}: {:?}", exhibit.name, format.name(), start.elapsed());
         }
     }
+}
+
+/// Edges that lay on one another made what no program took for a solid.
+#[test]
+fn a_lining_that_is_upright_for_a_part_of_the_turn_alone_is_no_step_file() {
+    let link = "1~eNodjsEKwyAQRP9lzqtkTUKLX9BzryUH0wYiEQ2akoP479HALsw8BmYydpP-0ExVxCNBfzLSavYFOmOz_geN2YUQxWldCh4EA93JnhBr-EGdHO8fJ8K7EqEUif4-HipbK1NMLJt5tQAPJJrxDD0Wwmmca23Har-bX1IdwVIRZpOWVvUsZSoXx_Uulw";
+    let with_base = |base: f64| {
+        let mut document: Value = serde_json::from_str(&Design::parse(link).unwrap().to_json()).unwrap();
+        document["parts"][0]["wall"]["base"] = base.into();
+        design(&document.to_string())
+    };
+    let pinched = with_base(0.8);
+    let refused = write(&pinched, Format::Step, &Making::default()).unwrap_err();
+    assert!(refused.code() == pasu::Code::NoRoom && refused.message().contains("lining"), "{refused}");
+    assert!(write(&pinched, Format::Stl, &Making::default()).is_ok());
+    assert!(write(&with_base(0.5), Format::Step, &Making::default()).is_ok());
+}
+
+/// They were those of the vertices of a mesh, which has none on the crest of a rounded rim.
+#[test]
+fn the_height_on_a_template_is_the_height_that_is_measured() {
+    let mut n_told = 0;
+    for seed in [120].into_iter().chain(0..drawn(12, 120)) {
+        let mut document: Value = serde_json::from_str(&Random::new(seed).design()).unwrap();
+        let part = &mut document["parts"][0];
+        (part["place"], part["wall"]["rim"]) = (serde_json::json!({}), "rounded".into());
+        let design = design(&document.to_string());
+        let Ok(bytes) = write(&design, Format::Svg, &Making::default()) else { continue };
+        let text = String::from_utf8(bytes).unwrap();
+        let height = measure(&design, &MeasureOptions::default()).unwrap().whole.height.value;
+        let told: f64 = text.split_once(" top<").unwrap().0.rsplit_once('>').unwrap().1.parse().unwrap();
+        assert!((told - height).abs() <= 0.005 + 1e-9, "seed {seed}: {told} is told, it is {height}");
+        n_told += 1;
+    }
+    assert!(n_told > 8, "{n_told}");
 }

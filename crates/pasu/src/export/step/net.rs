@@ -16,6 +16,16 @@ pub(super) struct PatchNet {
     pub(super) control: Vec<Vec<DVec3>>,
 }
 
+/// How far a spline is from its patch.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Deviation {
+    /// The largest distance between points of both with the same parameters.
+    pub(super) greatest: f64,
+    /// The same, and what the slope of the difference can add between two samples.
+    pub(super) bound: f64,
+    pub(super) n_samples: usize,
+}
+
 impl PatchNet {
     /// Interpolates positions on the grid of nodes, the derivatives across every side and the twist at every corner: a cubic spline in both directions.
     pub(super) fn through(u: &[f64], v: &[f64], at: &dyn Fn(f64, f64) -> SurfaceJet) -> PatchNet {
@@ -81,24 +91,86 @@ impl PatchNet {
     }
 
     /// The point at a place in an interval along `u` and one along `v`.
-    fn position(&self, (i, u): (usize, f64), (j, v): (usize, f64)) -> DVec3 {
-        let (across, along) = (basis(&self.v, j, v), basis(&self.u, i, u));
-        let row = |r: usize| (0..4).map(|q| across[q].0 * self.control[i + r][j + q]).sum::<DVec3>();
-        (0..4).map(|r| along[r].0 * row(r)).sum()
+    fn position(&self, along_u: (usize, f64), along_v: (usize, f64)) -> DVec3 {
+        let [point, ..] = self.jet(along_u, along_v);
+        point
     }
 
-    /// The largest distance at so many places in each direction of every interval, none of them at a node, and how many that were.
-    pub(super) fn deviation(&self, at: &dyn Fn(f64, f64) -> SurfaceJet, samples: usize) -> (f64, usize) {
-        let places = |nodes: &[f64]| -> Vec<(usize, f64)> {
+    /// As [`Self::position`], with its derivatives in `u` and in `v`.
+    fn jet(&self, (i, u): (usize, f64), (j, v): (usize, f64)) -> [DVec3; 3] {
+        let (across, along) = (basis(&self.v, j, v), basis(&self.u, i, u));
+        let mut jet = [DVec3::ZERO; 3];
+        for (r, (value, slope)) in along.into_iter().enumerate() {
+            let row = |of: fn(&(f64, f64)) -> f64| -> DVec3 {
+                across.iter().enumerate().map(|(q, weights)| of(weights) * self.control[i + r][j + q]).sum()
+            };
+            let here = row(|(value, _)| *value);
+            jet[0] += value * here;
+            jet[1] += slope * here;
+            jet[2] += value * row(|(_, slope)| *slope);
+        }
+        jet
+    }
+
+    /// Compares it with the patch at so many places in each direction of every interval, none of them at a node.
+    pub(super) fn deviation(&self, at: &dyn Fn(f64, f64) -> SurfaceJet, samples: usize) -> Deviation {
+        let places = |nodes: &[f64]| -> Vec<(usize, f64, f64)> {
             let of = |i: usize| {
                 let (from, step) = (nodes[i], (nodes[i + 1] - nodes[i]) / samples as f64);
-                (0..samples).map(move |k| (i, from + (k as f64 + 0.5) * step))
+                (0..samples).map(move |k| (i, from + (k as f64 + 0.5) * step, 0.5 * step))
             };
             (0..nodes.len() - 1).flat_map(of).collect()
         };
         let (rows, columns) = (places(&self.u), places(&self.v));
-        let pairs = rows.iter().flat_map(|u| columns.iter().map(move |v| (*u, *v)));
-        let off = pairs.map(|(u, v)| (self.position(u, v) - at(u.1, v.1).position).length());
-        (off.fold(0.0, f64::max), rows.len() * columns.len())
+        let mut told = Deviation { n_samples: rows.len() * columns.len(), ..Deviation::default() };
+        for (i, u, half_u) in &rows {
+            for (j, v, half_v) in &columns {
+                let ([point, du, dv], exact) = (self.jet((*i, *u), (*j, *v)), at(*u, *v));
+                let off = (point - exact.position).length();
+                let slopes = half_u * (du - exact.du).length() + half_v * (dv - exact.dv).length();
+                told.greatest = told.greatest.max(off);
+                told.bound = told.bound.max(off + slopes);
+            }
+        }
+        told
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A patch that no cubic is.
+    fn wave(u: f64, v: f64) -> SurfaceJet {
+        let (s, c, e) = (libm::sin(3.0 * u), libm::cos(3.0 * u), libm::exp(v));
+        SurfaceJet {
+            position: DVec3::new(u, v, s * e),
+            du: DVec3::new(1.0, 0.0, 3.0 * c * e),
+            dv: DVec3::new(0.0, 1.0, s * e),
+            duu: DVec3::new(0.0, 0.0, -9.0 * s * e),
+            duv: DVec3::new(0.0, 0.0, 3.0 * c * e),
+            dvv: DVec3::new(0.0, 0.0, s * e),
+        }
+    }
+
+    #[test]
+    fn no_place_is_farther_off_than_the_bound() {
+        for nodes in [3, 5, 9] {
+            let line: Vec<f64> = (0..nodes).map(|i| f64::from(i) / f64::from(nodes - 1)).collect();
+            let net = PatchNet::through(&line, &line, &wave);
+            let Deviation { greatest, bound, n_samples } = net.deviation(&wave, 5);
+            assert_eq!(n_samples, 25 * (line.len() - 1) * (line.len() - 1));
+            let mut farthest = 0.0f64;
+            for (i, j) in (0..=240).flat_map(|i| (0..=240).map(move |j| (i, j))) {
+                let [u, v] = [i, j].map(|k| f64::from(k) / 240.0);
+                let interval = |x: f64| line.windows(2).position(|pair| x <= pair[1]).unwrap();
+                let off = net.position((interval(u), u), (interval(v), v)) - wave(u, v).position;
+                farthest = farthest.max(off.length());
+            }
+            assert!(
+                greatest <= farthest && farthest <= bound && bound < 3.0 * farthest,
+                "{greatest} {farthest} {bound}"
+            );
+        }
     }
 }

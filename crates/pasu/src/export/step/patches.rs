@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::exchange::{Entities, Id, integers, list, reals, string};
-use super::net::PatchNet;
+use super::net::{Deviation, PatchNet};
 use super::sewn::{Sewn, boolean};
 use super::spline::multiplicities;
 use crate::face::kind_of;
@@ -16,8 +16,8 @@ const MOST_NODES: usize = 257;
 /// The part of the tolerance that each direction may use.
 const SHARE: f64 = 0.4;
 
-/// Samples in each direction of every interval by which the deviation is told.
-const SAMPLES: usize = 4;
+/// Samples in each direction of every interval by which the deviation is told: an odd number, since a cubic is farthest off in the middle.
+const SAMPLES: usize = 5;
 
 /// A shape in millimetres, fitted.
 struct Fitted {
@@ -25,8 +25,7 @@ struct Fitted {
     sides: Vec<[Side; 4]>,
     /// For every corner the first that is the same point.
     corners: Vec<usize>,
-    deviation: f64,
-    n_samples: usize,
+    deviation: Deviation,
 }
 
 fn fit(placed: &Placed, millimetres: f64, tolerance: f64) -> Fitted {
@@ -64,14 +63,15 @@ fn fit(placed: &Placed, millimetres: f64, tolerance: f64) -> Fitted {
             halve(&mut lines.v, columns);
         }
         if is_done {
-            let (mut deviation, mut n_samples) = (0.0f64, 0);
+            let mut deviation = Deviation::default();
             for (patch, net) in nets.iter().enumerate() {
-                let (off, n) = net.deviation(&|u, v| jet(patch, u, v), SAMPLES);
-                deviation = deviation.max(off);
-                n_samples += n;
+                let of = net.deviation(&|u, v| jet(patch, u, v), SAMPLES);
+                deviation.greatest = deviation.greatest.max(of.greatest);
+                deviation.bound = deviation.bound.max(of.bound);
+                deviation.n_samples += of.n_samples;
             }
             let sides = patches.iter().map(|patch| patch.sides()).collect();
-            return Fitted { nets, sides, corners: first_corners(&patches), deviation, n_samples };
+            return Fitted { nets, sides, corners: first_corners(&patches), deviation };
         }
         Lines::share(&patches, &mut lines);
     }
@@ -92,7 +92,8 @@ pub(super) fn sew(into: &mut Entities, name: &str, placed: &Placed, millimetres:
         into.add(&format!("SHELL_BASED_SURFACE_MODEL({},({shell}))", string(name)))
     };
     let faces = faces.into_iter().enumerate().map(|(patch, id)| (kind_of(placed, patch), id)).collect();
-    Sewn { shape, is_closed, faces, deviation: fitted.deviation, bound: fitted.deviation, n_samples: fitted.n_samples }
+    let Deviation { greatest, bound, n_samples } = fitted.deviation;
+    Sewn { shape, is_closed, faces, deviation: greatest, bound, n_samples }
 }
 
 struct Sewing<'a> {

@@ -137,7 +137,10 @@ impl Drawing {
 
     pub(super) fn text(&mut self, at: DVec2, size: f64, anchor: Anchor, text: &str) {
         if let Anchor::Start = anchor {
-            self.right = self.right.max(at.x + LETTER * size * text.chars().count() as f64);
+            let right = at.x + LETTER * size * text.chars().count() as f64;
+            self.right = self.right.max(right);
+            // A long name, too, is on some sheet to its end.
+            self.cover(at - DVec2::new(0.0, size), DVec2::new(right, at.y));
         }
         let text = written(at, size, anchor, text);
         self.layer(Layer::Text).push_str(&text);
@@ -217,4 +220,19 @@ fn path(points: &[DVec2]) -> String {
 /// A length to the micrometre: `12.345`.
 pub(super) fn number(x: f64) -> String {
     rounded(x, PLACES)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn there_is_something_as_far_as_a_text_reaches() {
+        let mut drawing = Drawing::default();
+        drawing.text(DVec2::new(12.0, 20.0), 3.0, Anchor::Start, &"m".repeat(200));
+        let [(low, high)] = drawing.pieces() else { panic!("one piece") };
+        assert!(
+            low.x <= 12.0 && low.y <= 17.0 && high.x >= 12.0 + 300.0 && high.x == drawing.right() && high.y >= 20.0
+        );
+    }
 }

@@ -3,6 +3,7 @@
 mod drawing;
 mod frame;
 mod layout;
+mod levels;
 mod page;
 mod paper;
 mod ruler;

@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3};
 use super::drawing::{Anchor, Drawing, Pen};
 use super::frame::Frame;
 use super::layout::{GAP, LINE, TEXT, extent, points};
+use super::levels::{Farness, Levels};
 use super::ruler::Ruler;
 use super::section::section;
 use super::stand::{Plane, Stand};
@@ -18,6 +19,10 @@ const RULER: f64 = 14.0;
 const HEIGHTS: f64 = 62.0;
 /// How far a straight strip reaches below the lowest point of the rim.
 const STRIP: f64 = 20.0;
+/// Room for a word at the end of a plane.
+const WORD: f64 = 14.0;
+/// Room for a fraction of the way round the strip.
+const FRACTION: f64 = 7.0;
 /// How far lines of planes go beyond the rim.
 const BEYOND: f64 = 4.0;
 
@@ -30,8 +35,7 @@ pub(super) fn sheet(
     body: &Body,
     stand: &Stand,
 ) -> DVec2 {
-    let foot = points(body).map(|p| stand.frame.height(p)).fold(f64::INFINITY, f64::min);
-    let frame = stand.frame.raised(foot);
+    let frame = stand.frame.raised(stand.levels.foot);
     drawing.text(at + DVec2::new(0.0, TEXT), TEXT, Anchor::Start, &body.name);
     let mut size = DVec2::new(0.0, LINE + 2.0);
     let mut piece = |drawing: &mut Drawing, draw: &mut dyn FnMut(&mut Drawing, DVec2) -> DVec2| {
@@ -114,25 +118,11 @@ fn heights(ruler: &Ruler, body: &Body, frame: &Frame, stand: &Stand) -> Vec<(f64
         let faces = body.faces.iter().filter(|(kind, ..)| kinds.contains(kind));
         faces.flat_map(|(_, first, count)| &body.indices[*first..first + count]).map(|v| point(body, *v)).collect()
     };
-    let mut marks = Vec::new();
-    let (_, high) = extent(points(body).map(|p| frame.plan(p)));
-    marks.push((high.y, "top".to_owned()));
-    let outside = of(&[FaceKind::Outer]);
-    let mut extremes: [Option<(f64, f64)>; 2] = [None, None];
-    for p in outside {
-        let (radius, height) = (frame.above(p).length(), frame.height(p));
-        // To the micrometre: where a wall is upright the lowest point counts on every machine and in every mesh.
-        let radius = libm::round(radius * 1e3) / 1e3;
-        if extremes[0].is_none_or(|(widest, _)| radius > widest) {
-            extremes[0] = Some((radius, height));
-        }
-        if extremes[1].is_none_or(|(narrowest, _)| radius < narrowest) {
-            extremes[1] = Some((radius, height));
-        }
-    }
-    for (extreme, word) in extremes.into_iter().zip(["farthest from the axis", "nearest to the axis"]) {
-        if let Some((radius, height)) = extreme {
-            marks.push((height, format!("{word}: {}", ruler.number(radius))));
+    let Levels { foot, top, farthest, nearest } = stand.levels;
+    let mut marks = vec![(top - foot, "top".to_owned())];
+    for (found, word) in [(farthest, "farthest from the axis"), (nearest, "nearest to the axis")] {
+        if let Some(Farness { radius, height }) = found {
+            marks.push((height - foot, format!("{word}: {}", ruler.number(radius))));
         }
     }
     if stand.planes.iter().any(|plane| !plane.through.is_empty()) {
@@ -161,12 +151,15 @@ fn from_above(drawing: &mut Drawing, ruler: &Ruler, at: DVec2, index: usize, sta
         _ => "Rim from above, with the planes of the sections",
     };
     drawing.text(at + DVec2::new(0.0, TEXT), TEXT, Anchor::Start, caption);
-    let top = at + DVec2::new(RULER, LINE + 5.0);
+    // Between the caption and the rim there is a line for a word at the end of a plane.
+    let above = LINE + LINE + 5.0;
+    let top = at + DVec2::new(RULER, above);
     let place = |p: DVec2| DVec2::new(top.x + p.x - low.x, top.y + high.y - p.y);
     drawing.grid(ruler, place(DVec2::ZERO), place(DVec2::new(low.x, high.y)), place(DVec2::new(high.x, low.y)));
     let outline: Vec<DVec2> = seen.iter().map(|p| place(*p)).collect();
     drawing.closed_line(&format!("rim-{}", index + 1), &outline);
     let (from, to) = (low - DVec2::splat(BEYOND), high + DVec2::splat(BEYOND));
+    let mut written = Vec::new();
     for Plane { towards, through, ends } in planes {
         let is_plain = through.is_empty();
         for direction in if is_plain { vec![*towards, towards.perp()] } else { vec![*towards] } {
@@ -175,12 +168,18 @@ fn from_above(drawing: &mut Drawing, ruler: &Ruler, at: DVec2, index: usize, sta
             for (word, end) in ends.iter().zip([near, away]).filter(|(word, _)| !word.is_empty()) {
                 // Towards the middle, or it would be beyond the edge of the paper.
                 let anchor = if end.x > top.x + 0.5 * (high.x - low.x) { Anchor::End } else { Anchor::Start };
-                drawing.text(end - DVec2::new(0.0, 1.0), TEXT, anchor, word);
+                let mut at = end - DVec2::new(0.0, 1.0);
+                // Below what is written at about the same place: seen from the middle two ends may be close.
+                while written.iter().any(|other: &DVec2| (at - other).abs().cmplt(DVec2::new(WORD, LINE)).all()) {
+                    at.y += LINE;
+                }
+                written.push(at);
+                drawing.text(at, TEXT, anchor, word);
             }
         }
     }
     let size = high - low;
-    DVec2::new(RULER + size.x + 4.0, LINE + 5.0 + size.y + 4.0)
+    DVec2::new(RULER + size.x + 4.0, above + size.y + 4.0)
 }
 
 /// Where a ray from the middle leaves a box that holds it.
@@ -198,35 +197,41 @@ fn unrolled(drawing: &mut Drawing, ruler: &Ruler, at: DVec2, index: usize, stand
     let Stand { rim, hem, .. } = stand;
     let fits = !hem.is_empty();
     let Strip { upper, lower } = if fits { between(rim, hem) } else { straight(rim, frame, STRIP) };
-    let round = length(&lower);
+    // Without a wall to lay it round, the lower edge is as long as the rim seen from above.
+    let level = || rim.iter().map(|p| frame.above(*p).extend(0.0)).collect::<Vec<_>>();
+    let round = if fits { length(hem) } else { length(&level()) };
     let mut text = format!("Rim unrolled, {} once round", ruler.number(round));
-    let along = length(&upper);
+    let along = length(rim);
     if ruler.number(along) != ruler.number(round) {
         text.push_str(&format!(" at its lower edge and {} along the rim", ruler.number(along)));
     }
+    drawing.text(at + DVec2::new(0.0, TEXT), TEXT, Anchor::Start, &text);
+    let mut top = at + DVec2::new(RULER, LINE + 2.0);
     if fits {
         let height = hem.iter().map(|p| frame.height(*p)).sum::<f64>() / hem.len() as f64;
-        text.push_str(&format!(
-            "; lay the strip round the pot with its lower edge {} above the foot",
-            ruler.number(height)
-        ));
+        let text = format!("Lay the strip round the pot with its lower edge {} above the foot", ruler.number(height));
+        // A line of its own: both together are wider than paper.
+        drawing.text(at + DVec2::new(0.0, LINE + TEXT), TEXT, Anchor::Start, &text);
+        top.y += LINE;
     }
-    drawing.text(at + DVec2::new(0.0, TEXT), TEXT, Anchor::Start, &text);
     let (low, high) = extent(upper.iter().chain(&lower).copied());
-    let top = at + DVec2::new(RULER, LINE + 2.0);
     let place = |p: DVec2| DVec2::new(top.x + p.x - low.x, top.y + high.y - p.y);
     let (left, right) = (place(DVec2::new(low.x, high.y)), place(DVec2::new(high.x, low.y)));
     drawing.grid(ruler, DVec2::new(left.x, right.y), left, right);
     let outline: Vec<DVec2> = upper.iter().chain(lower.iter().rev()).map(|p| place(*p)).collect();
     drawing.closed_line(&format!("strip-{}", index + 1), &outline);
     let n = rim.len();
-    for quarter in 0..=4 {
-        let i = n * quarter / 4;
+    for quarter in 0..=4u8 {
+        let i = n * usize::from(quarter) / 4;
         let edge = place(lower[i]);
         let down = (edge - place(upper[i])).normalize_or(DVec2::Y);
         drawing.line(Pen::Mark, edge, edge + 2.5 * down);
-        let text = edge + 5.0 * down + DVec2::new(0.0, 1.0);
-        drawing.text(text, TEXT, Anchor::Middle, ["0", "1/4", "1/2", "3/4", "1"][quarter]);
+        // On a small strip every other one has room, or the first alone.
+        let every = [1, 2, 4].into_iter().find(|every| round * f64::from(*every) >= 4.0 * FRACTION).unwrap_or(5);
+        if quarter % every == 0 {
+            let text = edge + 5.0 * down + DVec2::new(0.0, 1.0);
+            drawing.text(text, TEXT, Anchor::Middle, ["0", "1/4", "1/2", "3/4", "1"][usize::from(quarter)]);
+        }
     }
     DVec2::new(RULER + high.x - low.x + 6.0, right.y + 8.0 - at.y)
 }

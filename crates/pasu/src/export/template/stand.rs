@@ -5,6 +5,7 @@ use core::f64::consts::TAU;
 use glam::{DVec2, DVec3};
 
 use super::frame::Frame;
+use super::levels::Levels;
 use crate::face::{Face, FaceKind};
 use crate::numeric::{brent, illinois};
 
@@ -26,6 +27,8 @@ const NEAR: f64 = 1e-3;
 /// What a template shows of a part beside its body.
 pub(in crate::export) struct Stand {
     pub(super) frame: Frame,
+    /// How high and how wide it is.
+    pub(super) levels: Levels,
     /// The edge of the rim once round, in millimetres, the first point not repeated; empty if it is a point.
     pub(super) rim: Vec<DVec3>,
     /// Where each column of the rim comes down to the lower edge of the strip, which is level; empty where one does not.
@@ -52,10 +55,12 @@ impl Stand {
         millimetres: f64,
     ) -> Stand {
         let plain = Plane { towards: DVec2::X, through: "", ends: ["", ""] };
-        let mut stand = Stand { frame, rim: Vec::new(), hem: Vec::new(), planes: vec![plain] };
+        let faces: Vec<&dyn Face> = faces.collect();
+        let levels = Levels::new(&frame, &faces, millimetres);
+        let mut stand = Stand { frame, levels, rim: Vec::new(), hem: Vec::new(), planes: vec![plain] };
         let mut upper = None;
         let mut height = f64::NEG_INFINITY;
-        for face in faces.filter(|face| face.kind() == FaceKind::Outer) {
+        for face in faces.into_iter().filter(|face| face.kind() == FaceKind::Outer) {
             let mut walk = face.walk();
             for end in [0.0, 1.0] {
                 let curve: Vec<DVec3> = (0..RIM).map(|i| millimetres * walk.jet(end, turn(i)).position).collect();
