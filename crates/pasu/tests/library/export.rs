@@ -534,22 +534,6 @@ fn files_can_be_kept() {
     }
 }
 
-/// Edges that lay on one another made what no program took for a solid.
-#[test]
-fn a_lining_that_is_upright_for_a_part_of_the_turn_alone_is_no_step_file() {
-    let link = "1~eNodjsEKwyAQRP9lzqtkTUKLX9BzryUH0wYiEQ2akoP479HALsw8BmYydpP-0ExVxCNBfzLSavYFOmOz_geN2YUQxWldCh4EA93JnhBr-EGdHO8fJ8K7EqEUif4-HipbK1NMLJt5tQAPJJrxDD0Wwmmca23Har-bX1IdwVIRZpOWVvUsZSoXx_Uulw";
-    let with_base = |base: f64| {
-        let mut document: Value = serde_json::from_str(&Design::parse(link).unwrap().to_json()).unwrap();
-        document["parts"][0]["wall"]["base"] = base.into();
-        design(&document.to_string())
-    };
-    let pinched = with_base(0.8);
-    let refused = write(&pinched, Format::Step, &Making::default()).unwrap_err();
-    assert!(refused.code() == pasu::Code::NoRoom && refused.message().contains("lining"), "{refused}");
-    assert!(write(&pinched, Format::Stl, &Making::default()).is_ok());
-    assert!(write(&with_base(0.5), Format::Step, &Making::default()).is_ok());
-}
-
 /// They were those of the vertices of a mesh, which has none on the crest of a rounded rim.
 #[test]
 fn the_height_on_a_template_is_the_height_that_is_measured() {

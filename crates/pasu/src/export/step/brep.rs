@@ -40,7 +40,6 @@ pub(super) fn sew(
     let faces = with_width(faces);
     let boundaries = boundaries(&faces, path)?;
     let fitted = fit(&faces, &boundaries, tolerance)?;
-    refuse_pinched(&faces, &boundaries, &fitted.columns, path)?;
     let last = fitted.columns.len() - 1;
     let n_panels = last.div_ceil(PANEL);
     let panels = (0..=n_panels).map(|panel| panel * last / n_panels).collect();
@@ -109,25 +108,6 @@ fn boundaries(faces: &[Scaled], path: &str) -> Result<Vec<[Boundary; 2]>> {
     }
     let found: Vec<Boundary> = found.into_iter().flatten().collect();
     Ok(found.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect())
-}
-
-/// Refuses a face whose two ends are one curve over a part of the turn and two over the rest, as the upright part of a lining that begins in the floor there: its edges would lie on one another, and no program takes that for a solid.
-fn refuse_pinched(faces: &[Scaled], boundaries: &[[Boundary; 2]], columns: &[f64], path: &str) -> Result<()> {
-    for (face, ends) in faces.iter().zip(boundaries) {
-        if ends.iter().any(|end| matches!(end, Boundary::Pole { .. })) {
-            continue;
-        }
-        let [near, far] = [0.0, 1.0].map(|a| columns.iter().map(|v| face.position(a, *v)).collect::<Vec<DVec3>>());
-        let size = near.iter().map(|point| (*point - near[0]).length()).fold(0.0, f64::max);
-        if near.iter().zip(far).any(|(near, far)| (far - near).length() <= SAME * size) {
-            let message = format!(
-                "the {} of this part has no width over a part of the turn, as where its inside begins right at the floor, and a STEP file of it would be no solid: expected another thickness or base, or another format",
-                face.face.kind().name()
-            );
-            return Err(Error::new(Code::NoRoom, path, message));
-        }
-    }
-    Ok(())
 }
 
 struct Sewing<'a> {
