@@ -45,6 +45,7 @@ mod sketch;
 mod solid;
 mod space;
 mod standing;
+mod step_edges;
 mod support;
 mod surfaces;
 mod tolerance;

@@ -2,12 +2,15 @@
 //!
 //! A face with few columns is one face of STEP with a seam; one with many is cut along columns into panels.
 
+use std::f64::consts::TAU;
+
 use glam::DVec3;
 
 use super::exchange::{Entities, Id, integers, list, reals, settled, string};
 use super::fit::{Boundary, Fitted, Net, Scaled, fit};
+use super::narrow::{Joined, Narrow, cuts, is_wide};
 use super::sewn::{Sewn, boolean};
-use super::spline::{multiplicities, restricted};
+use super::spline::multiplicities;
 use crate::error::{Code, Error, Result};
 use crate::face::Face;
 
@@ -38,16 +41,30 @@ pub(super) fn sew(
 ) -> Result<Sewn> {
     let faces: Vec<Scaled> = faces.iter().map(|face| Scaled { face: *face, millimetres }).collect();
     let faces = with_width(faces);
-    let boundaries = boundaries(&faces, path)?;
-    let fitted = fit(&faces, &boundaries, tolerance)?;
-    let last = fitted.columns.len() - 1;
-    let n_panels = last.div_ceil(PANEL);
-    let panels = (0..=n_panels).map(|panel| panel * last / n_panels).collect();
-    let mut sewing = Sewing { into, fitted: &fitted, faces: &faces, boundaries: &boundaries, panels, ends: Vec::new() };
+    let narrow: Vec<Narrow> = faces.iter().map(|face| Narrow::of(face, tolerance)).collect();
+    let places: Vec<f64> =
+        PLACES.iter().map(|part| part * TAU).chain(narrow.iter().flat_map(Narrow::middles)).collect();
+    let boundaries = boundaries(&faces, &places, path)?;
+    let cuts = cuts(&narrow);
+    let fitted = fit(&faces, &boundaries, &cuts, tolerance)?;
+    let panels = fitted.columns.panels(PANEL);
+    let is_level = |face: usize| level_normal(&fitted.faces[face], faces[face].face.outward()).is_some();
+    let joined = Joined::new(&narrow, &boundaries, &fitted, &panels, is_level);
+    let mut sewing = Sewing {
+        into,
+        fitted: &fitted,
+        faces: &faces,
+        boundaries: &boundaries,
+        panels,
+        joined,
+        ends: Vec::new(),
+        moved: 0.0,
+    };
     let mut advanced = Vec::new();
     for (index, face) in faces.iter().enumerate() {
         advanced.extend(sewing.face(index).into_iter().map(|id| (face.face.kind(), id)));
     }
+    let moved = sewing.moved;
     let shell: Vec<Id> = advanced.iter().map(|(_, id)| *id).collect();
     let shell = into.add(&format!("CLOSED_SHELL('',{})", list(&shell)));
     let solid = into.add(&format!("MANIFOLD_SOLID_BREP({},{shell})", string(name)));
@@ -55,31 +72,30 @@ pub(super) fn sew(
         shape: solid,
         is_closed: true,
         faces: advanced,
-        deviation: fitted.deviation,
-        bound: fitted.bound,
+        deviation: fitted.deviation + moved,
+        bound: fitted.bound + moved,
         n_samples: fitted.n_samples,
     })
 }
 
-/// Leaves out faces that are no wider than a curve, as the upright part of a lining that begins in the floor: neighbours on both sides then meet there.
+/// Leaves out faces that are nowhere wider than a curve, as the upright part of a lining that begins in the floor: neighbours on both sides then meet there.
 fn with_width(faces: Vec<Scaled>) -> Vec<Scaled> {
-    let at = |face: &Scaled, a: f64| PLACES.map(|part| face.position(a, part * std::f64::consts::TAU));
-    let points: Vec<DVec3> = faces.iter().flat_map(|face| at(face, 0.0)).collect();
+    let start = |face: &Scaled| PLACES.map(|part| face.position(0.0, part * TAU));
+    let points: Vec<DVec3> = faces.iter().flat_map(start).collect();
     let size = points.iter().map(|point| (*point - points[0]).length()).fold(0.0, f64::max);
-    let is_wide = |face: &Scaled| {
-        let start = at(face, 0.0);
-        [0.5, 1.0].into_iter().any(|a| at(face, a).iter().zip(start).any(|(b, a)| (*b - a).length() > SAME * size))
-    };
-    faces.into_iter().filter(is_wide).collect()
+    faces.into_iter().filter(|face| is_wide(face, SAME * size)).collect()
 }
 
 /// Finds for every end of every face whether it is a pole or which neighbour it is shared with.
-fn boundaries(faces: &[Scaled], path: &str) -> Result<Vec<[Boundary; 2]>> {
+///
+/// Curves are compared at `places`, of which some are where faces that are narrow elsewhere are wide.
+fn boundaries(faces: &[Scaled], places: &[f64], path: &str) -> Result<Vec<[Boundary; 2]>> {
     let ends: Vec<(usize, usize)> = (0..faces.len()).flat_map(|face| [(face, 0), (face, 1)]).collect();
     let curves: Vec<Vec<DVec3>> = ends
         .iter()
         .map(|(face, end)| {
-            PLACES.iter().map(|part| faces[*face].position(*end as f64, part * std::f64::consts::TAU)).collect()
+            let mut walk = faces[*face].walk();
+            places.iter().map(|v| walk.position(*end as f64, *v)).collect()
         })
         .collect();
     let size = curves.iter().flatten().map(|point| (*point - curves[0][0]).length()).fold(0.0, f64::max);
@@ -117,8 +133,11 @@ struct Sewing<'a> {
     boundaries: &'a [[Boundary; 2]],
     /// The columns at which panels begin and the last one ends.
     panels: Vec<usize>,
+    joined: Joined,
     /// The boundaries written so far.
     ends: Vec<(Boundary, End)>,
+    /// The farthest that a boundary was moved to one that it is joined with, millimetres.
+    moved: f64,
 }
 
 /// Where a face ends.
@@ -131,7 +150,7 @@ struct End {
 }
 
 impl Sewing<'_> {
-    /// The faces of STEP that make up one face of the pot: one if it is level, else one per panel.
+    /// The faces of STEP that make up one face of the pot: one if it is level and there all round, else one for each panel in which it is there.
     fn face(&mut self, index: usize) -> Vec<Id> {
         let net = &self.fitted.faces[index];
         let face = &self.faces[index];
@@ -139,18 +158,21 @@ impl Sewing<'_> {
         let name = string(&format!("{:?}", face.face.kind()));
         // Walked so that the face lies to the left, seen from outside: up the far end and down the near one where F_a x F_v points out.
         let turned = outward < 0.0;
-        if let Some(normal) = level_normal(net, outward) {
+        if let (Some(normal), true) = (level_normal(net, outward), self.joined.is_whole(index)) {
             return vec![self.plane(&name, index, normal, turned)];
         }
         let ends = [self.end(index, 0), self.end(index, 1)];
         let n_panels = self.panels.len() - 1;
-        let sides: Vec<Id> = (0..n_panels).map(|panel| self.side(net, panel, &ends)).collect();
+        let sides: Vec<Option<Id>> = (0..n_panels).map(|panel| self.side(index, panel, &ends)).collect();
         (0..n_panels)
+            .filter(|panel| self.joined.is_wide(index, *panel))
+            .collect::<Vec<_>>()
+            .into_iter()
             .map(|panel| {
-                let surface = self.surface(net, panel);
-                let mut walk = vec![(sides[panel], true)];
+                let surface = self.surface(index, panel);
+                let mut walk: Vec<(Id, bool)> = sides[panel].map(|side| (side, true)).into_iter().collect();
                 walk.extend(ends[1].edges.get(panel).map(|edge| (*edge, true)));
-                walk.push((sides[(panel + 1) % n_panels], false));
+                walk.extend(sides[(panel + 1) % n_panels].map(|side| (side, false)));
                 walk.extend(ends[0].edges.get(panel).map(|edge| (*edge, false)));
                 if turned {
                     walk.reverse();
@@ -205,47 +227,121 @@ impl Sewing<'_> {
         if let Some((_, end)) = self.ends.iter().find(|(written, _)| *written == boundary) {
             return end.clone();
         }
-        let control = &self.fitted.faces[face].control;
-        let row = if end == 0 { &control[0] } else { &control[control.len() - 1] };
         let written = match boundary {
-            Boundary::Pole { .. } => End { vertices: vec![self.vertex(row[0])], edges: Vec::new() },
-            Boundary::Curve { .. } => {
-                let n_panels = self.panels.len() - 1;
-                let arcs: Vec<Vec<DVec3>> = (0..n_panels).map(|panel| self.within(row, panel)).collect();
-                let vertices: Vec<Id> = arcs.iter().map(|arc| self.vertex(arc[0])).collect();
-                let edges = arcs.iter().enumerate().map(|(panel, arc)| {
-                    let nodes = &self.fitted.columns[self.panels[panel]..=self.panels[panel + 1]];
-                    let curve = self.curve(arc, nodes, n_panels == 1);
-                    let [from, to] = [panel, panel + 1].map(|panel| vertices[panel % n_panels]);
-                    self.into.add(&format!("EDGE_CURVE('',{from},{to},{curve},.T.)"))
-                });
-                let edges = edges.collect();
-                End { vertices, edges }
+            Boundary::Pole { .. } => {
+                let row = self.row(boundary);
+                End { vertices: vec![self.vertex(row[0])], edges: Vec::new() }
             }
+            Boundary::Curve { .. } => self.closed_end(boundary),
         };
         self.ends.push((boundary, written.clone()));
         written
     }
 
-    /// The curve of constant `v` at which a panel begins; of one panel alone the seam, along which it meets itself.
-    fn side(&mut self, net: &Net, panel: usize, ends: &[End; 2]) -> Id {
-        let column: Vec<DVec3> = net.control.iter().map(|row| self.within(row, panel)[0]).collect();
-        let curve = self.curve(&column, &net.rows, false);
+    fn closed_end(&mut self, boundary: Boundary) -> End {
+        let n_panels = self.panels.len() - 1;
+        let arcs: Vec<Vec<DVec3>> = (0..n_panels).map(|panel| self.arc(boundary, panel)).collect();
+        let mut vertices = Vec::new();
+        for (panel, arc) in arcs.iter().enumerate() {
+            let kept = self.joined.vertex(boundary, panel);
+            vertices.push(if kept == boundary { self.vertex(arc[0]) } else { self.end_of(kept).vertices[panel] });
+        }
+        let mut edges = Vec::new();
+        for (panel, arc) in arcs.iter().enumerate() {
+            let kept = self.joined.edge(boundary, panel);
+            if kept != boundary {
+                edges.push(self.end_of(kept).edges[panel]);
+                continue;
+            }
+            let nodes = &self.fitted.columns.nodes[self.panels[panel]..=self.panels[panel + 1]];
+            let curve = self.curve(arc, nodes, n_panels == 1);
+            let [from, to] = [panel, panel + 1].map(|panel| vertices[panel % n_panels]);
+            edges.push(self.into.add(&format!("EDGE_CURVE('',{from},{to},{curve},.T.)")));
+        }
+        End { vertices, edges }
+    }
+
+    /// The end whose edges and vertices are kept where others are joined with it.
+    fn end_of(&mut self, boundary: Boundary) -> End {
+        let (Boundary::Curve { face, end } | Boundary::Pole { face, end }) = boundary;
+        self.end(face, end)
+    }
+
+    /// The control points of a boundary.
+    fn row(&self, boundary: Boundary) -> &[DVec3] {
+        let (Boundary::Curve { face, end } | Boundary::Pole { face, end }) = boundary;
+        let control = &self.fitted.faces[face].control;
+        if end == 0 { &control[0] } else { &control[control.len() - 1] }
+    }
+
+    /// The control points of a boundary within a panel, as they are after it was joined with others.
+    fn arc(&self, boundary: Boundary, panel: usize) -> Vec<DVec3> {
+        let kept = self.joined.edge(boundary, panel);
+        let mut arc = self.within(self.row(kept), panel);
+        let [from, to] = [panel, panel + 1].map(|panel| self.joined.vertex(boundary, panel));
+        let last = arc.len() - 1;
+        if from != kept {
+            arc[0] = self.within(self.row(from), panel)[0];
+        }
+        if to != kept {
+            arc[last] = self.within(self.row(to), panel)[last];
+        }
+        arc
+    }
+
+    /// The rows of control points of a face within a panel.
+    fn rows(&mut self, index: usize, panel: usize) -> Vec<Vec<DVec3>> {
+        let control = &self.fitted.faces[index].control;
+        let mut rows: Vec<Vec<DVec3>> = control.iter().map(|row| self.within(row, panel)).collect();
+        let last = rows.len() - 1;
+        for (boundary, row) in self.boundaries[index].into_iter().zip([0, last]) {
+            if !matches!(boundary, Boundary::Curve { .. }) {
+                continue;
+            }
+            let arc = self.arc(boundary, panel);
+            let moved = arc.iter().zip(&rows[row]).map(|(to, from)| (*to - *from).length());
+            self.moved = moved.fold(self.moved, f64::max);
+            rows[row] = arc;
+        }
+        // Where a panel begins or ends in a point, so do all its rows.
+        let n_columns = rows[0].len();
+        for (vertex, column) in [(panel, 0), (panel + 1, n_columns - 1)] {
+            let [near, far] = self.boundaries[index].map(|boundary| self.joined.vertex(boundary, vertex));
+            if near != far {
+                continue;
+            }
+            let point = rows[0][column];
+            for row in &mut rows {
+                self.moved = self.moved.max((row[column] - point).length());
+                row[column] = point;
+            }
+        }
+        rows
+    }
+
+    /// The curve of constant `v` at which a panel begins; of one panel alone the seam, along which it meets itself. None where the face is no wider than a point.
+    fn side(&mut self, index: usize, panel: usize, ends: &[End; 2]) -> Option<Id> {
         let [start, end] = [0, 1].map(|end: usize| {
             let vertices = &ends[end].vertices;
             vertices[panel % vertices.len()]
         });
-        self.into.add(&format!("EDGE_CURVE('',{start},{end},{curve},.T.)"))
+        if start == end {
+            return None;
+        }
+        let column: Vec<DVec3> = self.rows(index, panel).iter().map(|row| row[0]).collect();
+        let fitted = self.fitted;
+        let curve = self.curve(&column, &fitted.faces[index].rows, false);
+        Some(self.into.add(&format!("EDGE_CURVE('',{start},{end},{curve},.T.)")))
     }
 
-    fn surface(&mut self, net: &Net, panel: usize) -> Id {
-        let columns = &self.fitted.columns[self.panels[panel]..=self.panels[panel + 1]];
-        let control: Vec<String> = net
-            .control
-            .iter()
-            .map(|row| {
-                list(&self.within(row, panel).into_iter().map(|point| self.into.point(point)).collect::<Vec<_>>())
-            })
+    fn surface(&mut self, index: usize, panel: usize) -> Id {
+        let fitted = self.fitted;
+        let net = &fitted.faces[index];
+        let columns = &fitted.columns.nodes[self.panels[panel]..=self.panels[panel + 1]];
+        let control: Vec<String> = self
+            .rows(index, panel)
+            .into_iter()
+            .map(|row| list(&row.into_iter().map(|point| self.into.point(point)).collect::<Vec<_>>()))
             .collect();
         self.into.add(&format!(
             "B_SPLINE_SURFACE_WITH_KNOTS('',3,3,({}),.UNSPECIFIED.,.F.,{},.F.,{},{},{},{},.UNSPECIFIED.)",
@@ -260,7 +356,7 @@ impl Sewing<'_> {
 
     /// The control points of a row within a panel.
     fn within(&self, row: &[DVec3], panel: usize) -> Vec<DVec3> {
-        let part = restricted(&self.fitted.columns, row, self.panels[panel], self.panels[panel + 1]);
+        let part = self.fitted.columns.within(row, self.panels[panel], self.panels[panel + 1]);
         part.into_iter().map(|point| DVec3::from_array(point.to_array().map(settled))).collect()
     }
 

@@ -4,15 +4,15 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
+use super::columns::{Columns, between, halved};
 use super::exchange::settled;
 use super::spline::{Ends, basis, control_points};
 use crate::error::Result;
 use crate::face::{Face, FaceWalk};
 use crate::watch;
 
-/// The rows that a face begins with, and the columns of all faces.
+/// The rows that a face begins with.
 const FIRST_ROWS: usize = 2;
-const FIRST_COLUMNS: usize = 16;
 /// At most so many nodes in a direction: one that needs more has creases, which no spline of its kind follows.
 const MOST_ROWS: usize = 257;
 const MOST_COLUMNS: usize = 769;
@@ -30,8 +30,8 @@ const MOST_COLUMNS_INEXACT: usize = 513;
 
 /// The faces of one solid as splines, with common columns: neighbours that share a boundary curve have the same boundary row.
 pub(super) struct Fitted {
-    /// The nodes in `v`, from 0 to 2 pi.
-    pub(super) columns: Vec<f64>,
+    /// The nodes in `v`.
+    pub(super) columns: Columns,
     pub(super) faces: Vec<Net>,
     /// The largest distance found between a point of a spline and the point of its face with the same parameters, millimetres.
     pub(super) deviation: f64,
@@ -45,40 +45,41 @@ pub(super) struct Fitted {
 pub(super) struct Net {
     /// The nodes in `a`, from 0 to 1.
     pub(super) rows: Vec<f64>,
-    /// Row by row, `rows.len() + 2` of them with `columns.len() + 2` points each.
+    /// Row by row, `rows.len() + 2` of them with the control points of [`Columns`] each.
     pub(super) control: Vec<Vec<DVec3>>,
 }
 
 /// Fits all faces. `boundaries[face]` tells for each end `a = 0`, `a = 1` from which face and end its row is taken: two neighbours take it from the same.
 ///
-/// Interpolates positions on a grid, and derivatives in `a` at both ends, by cubic splines in both directions, closed in `v`; halves the intervals where one direction
+/// Interpolates positions on a grid, and derivatives in `a` at both ends, by cubic splines in both directions, in `v` closed or from one of `cuts` to the next; halves the intervals where one direction
 /// by itself is off by more than its share of the tolerance, until none is. A pole stays one point.
 ///
 /// # Errors
 /// `cancelled`.
-pub(super) fn fit(faces: &[Scaled], boundaries: &[[Boundary; 2]], tolerance: f64) -> Result<Fitted> {
-    let mut columns: Vec<f64> = (0..=FIRST_COLUMNS).map(|j| TAU * j as f64 / FIRST_COLUMNS as f64).collect();
+pub(super) fn fit(faces: &[Scaled], boundaries: &[[Boundary; 2]], cuts: &[f64], tolerance: f64) -> Result<Fitted> {
+    let mut columns = Columns::first(cuts);
     let mut rows = vec![(0..FIRST_ROWS).map(|i| i as f64 / (FIRST_ROWS - 1) as f64).collect::<Vec<_>>(); faces.len()];
     loop {
         let edges: Vec<[Vec<DVec3>; 2]> = (0..faces.len())
-            .map(|face| [0, 1].map(|end| boundary_points(faces, boundaries[face][end], &columns)))
+            .map(|face| [0, 1].map(|end| boundary_points(faces, boundaries[face][end], &columns.nodes)))
             .collect();
         let nets: Vec<Net> =
             faces.iter().zip(&rows).zip(&edges).map(|((face, rows), edges)| net(face, rows, &columns, edges)).collect();
-        let mut rough_columns = vec![false; columns.len() - 1];
+        let mut rough_columns = vec![false; columns.n_intervals()];
         let mut is_done = true;
         for ((face, net), rows) in faces.iter().zip(&nets).zip(&mut rows) {
-            let (share, most_rows, most_columns) = match face.face.is_exact() {
-                true => (SHARE * tolerance, MOST_ROWS, MOST_COLUMNS),
-                false => (SHARE * INEXACT * tolerance, MOST_ROWS_INEXACT, MOST_COLUMNS_INEXACT),
+            let share = SHARE * face.looseness() * tolerance;
+            let [most_rows, most_columns] = match face.face.is_exact() {
+                true => [MOST_ROWS, MOST_COLUMNS],
+                false => [MOST_ROWS_INEXACT, MOST_COLUMNS_INEXACT],
             };
             let rough_rows = rough_rows(face, net, &columns, share);
             is_done &= !halved(rows, &rough_rows, most_rows);
-            if columns.len() < most_columns {
+            if columns.nodes.len() < most_columns {
                 mark_rough_columns(face, net, &columns, share, &mut rough_columns);
             }
         }
-        is_done &= !halved(&mut columns, &rough_columns, MOST_COLUMNS);
+        is_done &= !columns.halve(&rough_columns, MOST_COLUMNS);
         watch::go_on()?;
         if is_done {
             return measured(faces, columns, nets);
@@ -97,20 +98,25 @@ impl Scaled<'_> {
         self.walk().position(a, v)
     }
 
+    /// How many times the tolerance it is followed within.
+    pub(super) fn looseness(&self) -> f64 {
+        if self.face.is_exact() { 1.0 } else { INEXACT }
+    }
+
     /// One place after the other.
-    fn walk(&self) -> ScaledWalk<'_> {
+    pub(super) fn walk(&self) -> ScaledWalk<'_> {
         ScaledWalk { walk: self.face.walk(), millimetres: self.millimetres }
     }
 }
 
 /// Places of one row after the other, which share what depends on it alone.
-struct ScaledWalk<'a> {
+pub(super) struct ScaledWalk<'a> {
     walk: Box<dyn FaceWalk + 'a>,
     millimetres: f64,
 }
 
 impl ScaledWalk<'_> {
-    fn position(&mut self, a: f64, v: f64) -> DVec3 {
+    pub(super) fn position(&mut self, a: f64, v: f64) -> DVec3 {
         self.millimetres * self.walk.jet(a, around(v)).position
     }
 
@@ -120,8 +126,8 @@ impl ScaledWalk<'_> {
 }
 
 /// The last column is the first one.
-fn around(v: f64) -> f64 {
-    if v >= TAU { 0.0 } else { v }
+pub(super) fn around(v: f64) -> f64 {
+    if v >= TAU { v - TAU } else { v }
 }
 
 /// Where the points of an end of a face come from.
@@ -144,22 +150,23 @@ fn boundary_points(faces: &[Scaled], boundary: Boundary, columns: &[f64]) -> Vec
     }
 }
 
-fn net(face: &Scaled, rows: &[f64], columns: &[f64], edges: &[Vec<DVec3>; 2]) -> Net {
+fn net(face: &Scaled, rows: &[f64], columns: &Columns, edges: &[Vec<DVec3>; 2]) -> Net {
     let last = rows.len() - 1;
     let mut walk = face.walk();
-    let along_v = |points: &[DVec3]| control_points(columns, points, &Ends::Closed);
+    let along_v = |points: &[DVec3]| columns.control_points(points);
     let points: Vec<Vec<DVec3>> = rows
         .iter()
         .enumerate()
         .map(|(i, a)| match i {
             0 => along_v(&edges[0]),
             i if i == last => along_v(&edges[1]),
-            _ => along_v(&columns.iter().map(|v| walk.position(*a, *v)).collect::<Vec<_>>()),
+            _ => along_v(&columns.nodes.iter().map(|v| walk.position(*a, *v)).collect::<Vec<_>>()),
         })
         .collect();
-    let slopes = [0.0, 1.0].map(|a| along_v(&columns.iter().map(|v| walk.slope(a, *v)).collect::<Vec<_>>()));
-    let mut control = vec![Vec::with_capacity(columns.len() + 2); rows.len() + 2];
-    for j in 0..columns.len() + 2 {
+    let slopes = [0.0, 1.0].map(|a| along_v(&columns.nodes.iter().map(|v| walk.slope(a, *v)).collect::<Vec<_>>()));
+    let width = points[0].len();
+    let mut control = vec![Vec::with_capacity(width); rows.len() + 2];
+    for j in 0..width {
         let column: Vec<DVec3> = points.iter().map(|row| row[j]).collect();
         let spline = control_points(rows, &column, &Ends::Slopes(slopes[0][j], slopes[1][j]));
         for (row, point) in control.iter_mut().zip(spline) {
@@ -170,16 +177,17 @@ fn net(face: &Scaled, rows: &[f64], columns: &[f64], edges: &[Vec<DVec3>; 2]) ->
 }
 
 /// Which intervals of rows are off by more than their share, along the columns.
-fn rough_rows(face: &Scaled, net: &Net, columns: &[f64], share: f64) -> Vec<bool> {
+fn rough_rows(face: &Scaled, net: &Net, columns: &Columns, share: f64) -> Vec<bool> {
     let mut walk = face.walk();
     (0..net.rows.len() - 1)
         .map(|interval| {
             PROBES.iter().any(|part| {
                 let a = between(&net.rows, interval, *part);
                 let row = net.row(interval, a);
-                (0..columns.len() - 1).any(|j| {
-                    let (found, _) = point(&row.0, columns, j, columns[j]);
-                    !((found - walk.position(a, columns[j])).length() <= share)
+                (0..columns.n_intervals()).any(|j| {
+                    let v = columns.nodes[j];
+                    let (found, _) = columns.point(&row.0, j, v);
+                    !((found - walk.position(a, v)).length() <= share)
                 })
             })
         })
@@ -187,42 +195,42 @@ fn rough_rows(face: &Scaled, net: &Net, columns: &[f64], share: f64) -> Vec<bool
 }
 
 /// Which intervals of columns are off by more than their share, along the rows.
-fn mark_rough_columns(face: &Scaled, net: &Net, columns: &[f64], share: f64, rough: &mut [bool]) {
+fn mark_rough_columns(face: &Scaled, net: &Net, columns: &Columns, share: f64, rough: &mut [bool]) {
     let mut walk = face.walk();
     for (i, a) in net.rows.iter().enumerate() {
         let row = net.row(i.min(net.rows.len() - 2), *a);
         for (j, rough) in rough.iter_mut().enumerate().filter(|(_, rough)| !**rough) {
             *rough = PROBES.iter().any(|part| {
-                let v = between(columns, j, *part);
-                let (found, _) = point(&row.0, columns, j, v);
+                let v = between(&columns.nodes, j, *part);
+                let (found, _) = columns.point(&row.0, j, v);
                 !((found - walk.position(*a, v)).length() <= share)
             });
         }
     }
 }
 
-fn measured(faces: &[Scaled], columns: Vec<f64>, nets: Vec<Net>) -> Result<Fitted> {
+fn measured(faces: &[Scaled], columns: Columns, nets: Vec<Net>) -> Result<Fitted> {
     let (mut deviation, mut bound, mut n_samples) = (0.0f64, 0.0f64, 0);
     for (face, net) in faces.iter().zip(&nets) {
         let mut walk = face.face.walk();
-        let samples = SAMPLES[usize::from((net.rows.len() - 1) * (columns.len() - 1) > MANY)];
+        let samples = SAMPLES[usize::from((net.rows.len() - 1) * columns.n_intervals() > MANY)];
         let part = |p: usize| (p as f64 + 0.5) / samples as f64;
-        let cells = 0..columns.len() - 1;
+        let cells = 0..columns.n_intervals();
         let sampled = cells.flat_map(|j| (0..samples).map(move |q| (j, q)));
-        let sampled = face.face.columns(sampled.map(|(j, q)| between(&columns, j, part(q))).collect());
+        let sampled = face.face.columns(sampled.map(|(j, q)| around(between(&columns.nodes, j, part(q)))).collect());
         for i in 0..net.rows.len() - 1 {
             watch::go_on()?;
             let half_a = (net.rows[i + 1] - net.rows[i]) / (2 * samples) as f64;
             for p in 0..samples {
                 let a = between(&net.rows, i, part(p));
                 let (row, row_slopes) = net.row(i, a);
-                for j in 0..columns.len() - 1 {
-                    let half_v = (columns[j + 1] - columns[j]) / (2 * samples) as f64;
+                for j in 0..columns.n_intervals() {
+                    let half_v = (columns.nodes[j + 1] - columns.nodes[j]) / (2 * samples) as f64;
                     for q in 0..samples {
                         let column = j * samples + q;
-                        let v = sampled.v(column);
-                        let (found, found_dv) = point(&row, &columns, j, v);
-                        let (found_da, _) = point(&row_slopes, &columns, j, v);
+                        let v = between(&columns.nodes, j, part(q));
+                        let (found, found_dv) = columns.point(&row, j, v);
+                        let (found_da, _) = columns.point(&row_slopes, j, v);
                         let jet = walk.jet_at(a, &sampled, column);
                         let off = (found - face.millimetres * jet.position).length();
                         let along_a = (found_da - face.millimetres * jet.da).length() * half_a;
@@ -252,35 +260,4 @@ impl Net {
         }
         row
     }
-}
-
-/// A point of a curve and its derivative.
-fn point(control: &[DVec3], nodes: &[f64], interval: usize, x: f64) -> (DVec3, DVec3) {
-    let mut found = (DVec3::ZERO, DVec3::ZERO);
-    for (r, (value, slope)) in basis(nodes, interval, x).into_iter().enumerate() {
-        found.0 += value * control[interval + r];
-        found.1 += slope * control[interval + r];
-    }
-    found
-}
-
-fn between(nodes: &[f64], interval: usize, part: f64) -> f64 {
-    nodes[interval] + part * (nodes[interval + 1] - nodes[interval])
-}
-
-/// Halves the intervals that are marked, as long as there is room; whether there were any.
-fn halved(nodes: &mut Vec<f64>, marked: &[bool], most: usize) -> bool {
-    let n_marked = marked.iter().filter(|marked| **marked).count();
-    if n_marked == 0 || nodes.len() + n_marked > most {
-        return false;
-    }
-    let mut finer = vec![nodes[0]];
-    for (interval, marked) in marked.iter().enumerate() {
-        if *marked {
-            finer.push(between(nodes, interval, 0.5));
-        }
-        finer.push(nodes[interval + 1]);
-    }
-    *nodes = finer;
-    true
 }

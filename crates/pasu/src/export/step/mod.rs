@@ -1,8 +1,10 @@
 //! STEP: solids of B-spline surfaces for CAD programs (ISO 10303-21, application protocol 214).
 
 mod brep;
+mod columns;
 mod exchange;
 mod fit;
+mod narrow;
 mod net;
 mod patches;
 mod sewn;

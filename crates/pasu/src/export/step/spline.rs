@@ -8,17 +8,25 @@ pub(super) enum Ends {
     Slopes(DVec3, DVec3),
     /// In itself: the last point repeats the first, and so do the first two derivatives.
     Closed,
+    /// With the derivatives of the cubics through its first and its last four points.
+    Open,
 }
 
 /// The control points of the cubic spline with `f(nodes[i]) = points[i]`: two more than there are points, over the knots of [`knots`].
 ///
 /// Twice continuously differentiable, off by `O(h^4)` from a smooth curve (de Boor, *A practical guide to splines*, chapter IV). `nodes` ascend; there are at least
-/// two, four when closed. The slopes `m` at the nodes solve
+/// two, four when closed or open. The slopes `m` at the nodes solve
 /// `h_i m_(i-1) + 2 (h_(i-1) + h_i) m_i + h_(i-1) m_(i+1) = 3 (h_i d_(i-1) + h_(i-1) d_i)`, `h` the steps and `d` the divided differences, and a control point is the blossom at three nodes in a row.
 pub(super) fn control_points(nodes: &[f64], points: &[DVec3], ends: &Ends) -> Vec<DVec3> {
     let slopes = match ends {
         Ends::Slopes(start, end) => slopes_between(nodes, points, *start, *end),
         Ends::Closed => closed_slopes(nodes, points),
+        Ends::Open => {
+            let last = nodes.len() - 1;
+            let [start, end] = [[0, 1, 2, 3], [last, last - 1, last - 2, last - 3]]
+                .map(|places| slope_of_cubic(places.map(|i| nodes[i]), places.map(|i| points[i])));
+            slopes_between(nodes, points, start, end)
+        }
     };
     let last = nodes.len() - 1;
     let mut control = Vec::with_capacity(nodes.len() + 2);
@@ -93,6 +101,21 @@ pub(super) fn basis(nodes: &[f64], interval: usize, x: f64) -> [(f64, f64); 4] {
     let span = |r: usize| knot(r as isize + 1) - knot(r as isize - 2);
     let quotient = |r: usize| if r < 3 { 3.0 * lower[r] / span(r) } else { 0.0 };
     [0, 1, 2, 3].map(|r| (values[r], if r == 0 { -quotient(0) } else { quotient(r - 1) - quotient(r) }))
+}
+
+/// The derivative at the first of four points of the cubic through them (Newton).
+fn slope_of_cubic(nodes: [f64; 4], points: [DVec3; 4]) -> DVec3 {
+    let mut differences = points;
+    let mut slope = DVec3::ZERO;
+    let mut factor = 1.0;
+    for order in 1..4 {
+        for i in 0..4 - order {
+            differences[i] = (differences[i + 1] - differences[i]) / (nodes[i + order] - nodes[i]);
+        }
+        slope += factor * differences[0];
+        factor *= nodes[0] - nodes[order];
+    }
+    slope
 }
 
 /// Solves the equations of [`control_points`] by elimination, which is stable: each diagonal outweighs the rest of its row.
@@ -185,8 +208,12 @@ mod tests {
         let slope = |x: f64| DVec3::new(-2.0 + 3.0 * x * x, 2.0 * x, 9.0 * x * x - 1.0);
         for nodes in [vec![0.0, 1.0], vec![0.0, 0.3, 1.0], vec![0.0, 0.1, 0.15, 0.6, 1.0]] {
             let points: Vec<DVec3> = nodes.iter().map(|x| cubic(*x)).collect();
-            let control = control_points(&nodes, &points, &Ends::Slopes(slope(0.0), slope(1.0)));
-            for interval in 0..nodes.len() - 1 {
+            let mut ends = vec![Ends::Slopes(slope(0.0), slope(1.0))];
+            if nodes.len() > 3 {
+                ends.push(Ends::Open);
+            }
+            for (interval, ends) in (0..nodes.len() - 1).flat_map(|i| ends.iter().map(move |ends| (i, ends))) {
+                let control = control_points(&nodes, &points, ends);
                 for part in [0.0, 0.25, 0.7, 1.0] {
                     let x = nodes[interval] + part * (nodes[interval + 1] - nodes[interval]);
                     let (found, found_slope) = value(&nodes, &control, interval, x);
