@@ -159,8 +159,10 @@ pub(crate) fn meshed_once(
     watch::go_on()?;
     let mut woven = woven(pot, tolerance, fineness, scale)?;
     compact(&mut woven);
-    let unkept = tolerance.filter(|asked| woven.bound > *asked);
-    Ok((verdict(pot, &woven, scale)?, finished(&woven, pot.part(), scale), unkept))
+    let topology = verdict(pot, &woven, scale)?;
+    let mesh = finished(&woven, pot.part(), scale);
+    let unkept = tolerance.filter(|asked| mesh.bound > *asked);
+    Ok((topology, mesh, unkept))
 }
 
 /// A mesh that aims at a tolerance once, whatever it keeps, and passes every check.
@@ -181,16 +183,20 @@ fn pot_path(part: usize) -> String {
 /// A mesh that keeps the tolerance.
 fn woven(pot: &Pot, tolerance: Option<f64>, fineness: f64, scale: f64) -> Result<Woven> {
     let mut promised = tolerance.map(|tolerance| tolerance / fineness);
+    let is_asked_for = promised.is_some();
     let mut asked = promised;
     let mut round = 1;
     loop {
         let grid = grid(pot.skin(), asked, promised)?;
         let tolerance = *promised.get_or_insert(grid.bound / fineness);
         let woven = weave(pot, &grid, scale)?;
-        if woven.bound <= tolerance || round >= ROUNDS {
+        // What was asked for is kept by the file, whose positions are rounded.
+        let rounded = if is_asked_for { rounding(&woven, scale) } else { 0.0 };
+        if woven.bound + rounded <= tolerance || round >= ROUNDS {
             return Ok(woven);
         }
-        asked = Some(tolerance.min(grid.bound) * (tolerance / woven.bound).clamp(LEAST_STEP, 0.9));
+        let step = ((tolerance - rounded) / woven.bound).clamp(LEAST_STEP, 0.9);
+        asked = Some(tolerance.min(grid.bound) * step);
         round += 1;
     }
 }
@@ -363,6 +369,12 @@ fn crossing(pot: &Pot, kinds: [FaceKind; 2], at: DVec3) -> Error {
     error.with("what", "crossing").with("face", first.name()).with("other", second.name())
 }
 
+/// What the single precision of a file takes from its positions, in model units: half a unit in the last place in each of three directions.
+fn rounding(woven: &Woven, scale: f64) -> f64 {
+    let largest = woven.positions.iter().flatten().fold(0.0f32, |largest, x| largest.max(x.abs()));
+    f64::from(largest) * f64::from(f32::EPSILON) / scale
+}
+
 pub(crate) fn finished(woven: &Woven, part: usize, scale: f64) -> SolidMesh {
     let mut first = 0;
     let faces = woven.faces.iter().map(|face| {
@@ -371,14 +383,11 @@ pub(crate) fn finished(woven: &Woven, part: usize, scale: f64) -> SolidMesh {
         (face.kind, first - count, count)
     });
     let faces = faces.collect();
-    let largest = woven.positions.iter().flatten().fold(0.0f32, |largest, x| largest.max(x.abs()));
-    // Half a unit in the last place in each of three directions.
-    let rounding = f64::from(largest) * f64::from(f32::EPSILON) / scale;
     SolidMesh {
         positions: woven.positions.concat(),
         indices: woven.triangles.concat(),
         faces,
         part,
-        bound: woven.bound + rounding,
+        bound: woven.bound + rounding(woven, scale),
     }
 }

@@ -600,3 +600,17 @@ fn a_tolerance_that_takes_too_many_points_says_that_it_is_the_tolerance() {
     assert_eq!((finding.code, finding.path.as_deref()), ("too-large", Some("parts[0]")), "{finding:?}");
     assert_eq!(finding.args.get("what"), Some(&"tolerance".into()));
 }
+
+/// The bound of a file has the rounding of its positions in it, by which a tolerance was passed without a word.
+#[test]
+fn a_tolerance_is_kept_with_the_rounding_of_a_file() {
+    let design = Design::parse(
+        r#"{ "pasu": 1, "unit": "mm", "parts": [{ "shape": { "kind": "bloor-wilson", "a": 2.1354, "n1": 4,
+        "r": [4.358, 0.1878298, -0.3643288, 2.6703], "R": [-2.3785, -1.18925, -1.18925, -5.1056], "h": [13.8122, 0.1276], "H": [-13.84120562, -0.4065] },
+        "wall": { "thickness": 0.408, "base": 0.2278, "rim": "rounded" } }] }"#,
+    )
+    .unwrap();
+    let tolerance = 0.00139398;
+    let mesh = made(&design, &Making { product: Product::Solid, tolerance: Some(tolerance), ..POT });
+    assert!(mesh.bound <= tolerance, "{}", mesh.bound);
+}
