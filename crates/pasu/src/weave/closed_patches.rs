@@ -21,6 +21,10 @@ const ATTEMPTS: [(f64, bool); 6] = [(1.0, false), (1.0, true), (0.4, true), (1.5
 /// Where no tolerance is asked for, a mesh without lines that are in the way may be off by so many times as much as one with them.
 const LOOSER: f64 = 3.0;
 
+/// What takes more triangles than this, and more than so many a patch, is not meshed more finely only to be refused again, where no tolerance is asked for: nobody waits for that.
+const MOST_LOOKED_AT: usize = 300_000;
+const MANY_A_PATCH: usize = 100;
+
 /// The most triangles of one body.
 const MOST_TRIANGLES: usize = 8_000_000;
 
@@ -32,9 +36,14 @@ pub(crate) fn closed_patches(placed: &Placed, tolerance: Option<f64>, scale: f64
     refuse_open(placed)?;
     let mut asked = tolerance;
     let mut refusal = None;
+    let mut n_usual = 0;
+    let n_patches = placed.solved().patches().len();
     for (fineness, is_clear) in ATTEMPTS {
         watch::go_on()?;
         if fineness < 1.0 && tolerance.is_some() {
+            continue;
+        }
+        if tolerance.is_none() && is_too_fine(n_usual, n_patches, fineness) {
             continue;
         }
         let within = asked.map(|asked| asked / fineness);
@@ -49,6 +58,7 @@ pub(crate) fn closed_patches(placed: &Placed, tolerance: Option<f64>, scale: f64
             Err(error) => return Err(refusal.unwrap_or(error)),
         };
         asked.get_or_insert(bound);
+        n_usual = n_usual.max(triangles.len());
         if triangles.len() > MOST_TRIANGLES {
             let message = format!("needs more than {MOST_TRIANGLES} triangles: expected a coarser tolerance");
             let error = Error::new(Code::TooLarge, placed.own_path(), message).with("what", "triangles");
@@ -73,6 +83,11 @@ pub(crate) fn closed_patches(placed: &Placed, tolerance: Option<f64>, scale: f64
         }
     }
     Err(refusal.unwrap_or_else(|| Error::new(Code::CrossesItself, placed.own_path(), "the patches cannot be meshed")))
+}
+
+/// Whether so many times as finely as what took so many triangles would be too many to look at once more.
+fn is_too_fine(n_usual: usize, n_patches: usize, fineness: f64) -> bool {
+    fineness > 1.0 && n_usual as f64 * fineness > MOST_LOOKED_AT.max(MANY_A_PATCH * n_patches) as f64
 }
 
 /// The triangles of patches one after the other that are of one kind, as one face.
@@ -181,5 +196,19 @@ fn verdict(placed: &Placed, woven: &Woven, scale: f64) -> Result<Topology> {
             error(Code::CrossesItself, "surface-close", at, message)
         }
         (None, None) => Ok(topology),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A blend of 220,000 triangles was meshed of two millions, to find again that they run through each other: half a minute on a page.
+    #[test]
+    fn what_takes_many_triangles_is_not_meshed_more_finely_to_be_refused_again() {
+        assert!(is_too_fine(220_000, 8, 3.0) && is_too_fine(220_000, 8, 1.5));
+        assert!(!is_too_fine(20_000, 8, 3.0), "an octant or a tube of few patches is looked at again");
+        assert!(!is_too_fine(320_000, 10_000, 3.0), "nor are these many for a large network");
+        assert!(!is_too_fine(8_000_000, 1, 1.0) && !is_too_fine(8_000_000, 1, 0.4));
     }
 }
