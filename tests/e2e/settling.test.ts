@@ -48,7 +48,7 @@ test("where there is no pot, a drag shows the surface and says why, and the wall
   await pot.drag("Height", 0, { steps: 12, held: () => why.waitFor({ state: "attached" }) });
   await pot.fingerprintOtherThan(before);
   await pot.tab("Wall");
-  await pot.page.locator("pasu-wall .problem").first().waitFor();
+  await pot.page.getByText("The rim is lower than what is to lie within it.").first().waitFor();
   await pot.tab("Shape");
   await pot.drag("Height", 0.6, {
     steps: 12,
