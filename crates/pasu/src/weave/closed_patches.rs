@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::meshed::{compact, finished};
+use super::meshed::{MOST_LOOKED_AT, compact, finished};
 use super::solid_mesh::SolidMesh;
 use super::woven::{Woven, WovenFace};
 use crate::check::{self, Topology};
@@ -21,8 +21,7 @@ const ATTEMPTS: [(f64, bool); 6] = [(1.0, false), (1.0, true), (0.4, true), (1.5
 /// Where no tolerance is asked for, a mesh without lines that are in the way may be off by so many times as much as one with them.
 const LOOSER: f64 = 3.0;
 
-/// What takes more triangles than this, and more than so many a patch, is not meshed more finely only to be refused again, where no tolerance is asked for: nobody waits for that.
-const MOST_LOOKED_AT: usize = 300_000;
+/// A body of many patches is looked at once more, before it is refused, where that takes no more triangles a patch than these.
 const MANY_A_PATCH: usize = 100;
 
 /// The most triangles of one body.
@@ -85,7 +84,7 @@ pub(crate) fn closed_patches(placed: &Placed, tolerance: Option<f64>, scale: f64
     Err(refusal.unwrap_or_else(|| Error::new(Code::CrossesItself, placed.own_path(), "the patches cannot be meshed")))
 }
 
-/// Whether so many times as finely as what took so many triangles would be too many to look at once more.
+/// Whether so many times as finely as what took so many triangles is too many to look at once more, only to be refused again: nobody waits for that.
 fn is_too_fine(n_usual: usize, n_patches: usize, fineness: f64) -> bool {
     fineness > 1.0 && n_usual as f64 * fineness > MOST_LOOKED_AT.max(MANY_A_PATCH * n_patches) as f64
 }

@@ -17,7 +17,7 @@ use crate::watch;
 const MOST_TRIANGLES: usize = 8_000_000;
 
 /// The most triangles of the surface at which a part is looked at once more before it is refused.
-const MOST_LOOKED_AT: usize = 300_000;
+pub(super) const MOST_LOOKED_AT: usize = 300_000;
 
 /// How many times as finely as asked for a part is meshed, in turn, before it is refused.
 const FINENESS: [f64; 2] = [1.0, 3.0];

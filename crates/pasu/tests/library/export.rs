@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use crate::support::random::{Random, drawn};
+use crate::support::step::{Spline, arguments};
 use crate::support::{design, gallery};
 use miniz_oxide::inflate::decompress_to_vec;
 use pasu::{
@@ -272,51 +273,6 @@ fn ply_holds_the_mesh() {
     }
 }
 
-/// The arguments of an entity, split at the commas between them.
-fn arguments(text: &str) -> Vec<String> {
-    let (mut depth, mut quoted) = (0, false);
-    let mut list = vec![String::new()];
-    for c in text.chars() {
-        match c {
-            '\'' => quoted = !quoted,
-            '(' if !quoted => depth += 1,
-            ')' if !quoted => depth -= 1,
-            ',' if !quoted && depth == 0 => {
-                list.push(String::new());
-                continue;
-            }
-            _ => {}
-        }
-        list.last_mut().unwrap().push(c);
-    }
-    list
-}
-
-fn inside(list: &str) -> &str {
-    list.strip_prefix('(').unwrap().strip_suffix(')').unwrap()
-}
-
-fn reals(list: &str) -> Vec<f64> {
-    arguments(inside(list)).iter().map(|x| x.parse().unwrap()).collect()
-}
-
-/// Every knot as often as it counts.
-fn knots(times: &str, knots: &str) -> Vec<f64> {
-    let times = reals(times);
-    reals(knots).into_iter().zip(times).flat_map(|(knot, times)| vec![knot; times as usize]).collect()
-}
-
-/// The value of a B-spline basis function by its definition.
-fn basis(knots: &[f64], i: usize, degree: usize, x: f64) -> f64 {
-    if degree == 0 {
-        return if knots[i] <= x && x < knots[i + 1] { 1.0 } else { 0.0 };
-    }
-    let part =
-        |from: usize, to: usize, x: f64| if knots[to] > knots[from] { x / (knots[to] - knots[from]) } else { 0.0 };
-    part(i, i + degree, x - knots[i]) * basis(knots, i, degree - 1, x)
-        + part(i + 1, i + degree + 1, knots[i + degree + 1] - x) * basis(knots, i + 1, degree - 1, x)
-}
-
 #[test]
 fn step_surfaces_are_as_far_off_as_the_file_says() {
     for specimen in specimens() {
@@ -349,19 +305,9 @@ fn step_surfaces_are_as_far_off_as_the_file_says() {
                 continue;
             };
             n_splines += 1;
-            let surface = arguments(surface.strip_suffix(')').unwrap());
-            let control: Vec<Vec<glam::DVec3>> = arguments(inside(&surface[3]))
-                .iter()
-                .map(|row| {
-                    let point = |id: &String| {
-                        let point = entities[id.as_str()].strip_prefix("CARTESIAN_POINT('',").unwrap();
-                        glam::DVec3::from_slice(&reals(point.strip_suffix(')').unwrap()))
-                    };
-                    arguments(inside(row)).iter().map(point).collect()
-                })
-                .collect();
-            let (along, round) = (knots(&surface[8], &surface[10]), knots(&surface[9], &surface[11]));
-            assert_eq!((along.len(), round.len()), (control.len() + 4, control[0].len() + 4));
+            let spline = Spline::read(surface, |id| entities[id]);
+            let (along, round) = (&spline.along, &spline.round);
+            assert_eq!((along.len(), round.len()), (spline.control.len() + 4, spline.control[0].len() + 4));
             // Panels follow on from each other round a face.
             if round[0] == 0.0 {
                 face = faces.next();
@@ -371,19 +317,9 @@ fn step_surfaces_are_as_far_off_as_the_file_says() {
             let (from, to) = (round[0], round[round.len() - 1]);
             for i in 0..23 {
                 let a = (f64::from(i) + 0.37) / 23.0;
-                let row: Vec<f64> = (0..control.len()).map(|i| basis(&along, i, 3, a)).collect();
                 for j in 0..37 {
                     let v = from + (to - from) * (f64::from(j) + 0.61) / 37.0;
-                    let mut point = glam::DVec3::ZERO;
-                    for (j, weight) in (0..control[0].len()).map(|j| (j, basis(&round, j, 3, v))) {
-                        if weight > 0.0 {
-                            point += row
-                                .iter()
-                                .zip(&control)
-                                .map(|(r, points)| *r * weight * points[j])
-                                .sum::<glam::DVec3>();
-                        }
-                    }
+                    let point = spline.at(a, v);
                     let off = (point - millimetres * face.jet(a, v).position).length();
                     assert!(off <= bound, "{name} {:?} {off} {bound}", face.kind());
                 }

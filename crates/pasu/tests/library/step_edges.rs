@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use pasu::{Design, Face, FaceKind, Format, Making, Pot, Product};
 
 use crate::support::gallery;
+use crate::support::step::{Spline, arguments};
 
 /// The references in an entity.
 fn references(entity: &str) -> Vec<usize> {
@@ -14,20 +15,21 @@ fn references(entity: &str) -> Vec<usize> {
 
 struct Step {
     entities: BTreeMap<usize, String>,
-    /// What the header says of the distance between splines and faces, millimetres.
+    /// What the header says of the distance between splines and faces at points that were compared, and between these, millimetres.
     deviation: f64,
+    bound: f64,
 }
 
 impl Step {
     fn read(bytes: &[u8]) -> Step {
         let text = std::str::from_utf8(bytes).unwrap();
-        let (_, rest) = text.split_once("'pasu-deviation: ").unwrap();
+        let told = |after: &str| text.split_once(after).unwrap().1.split(' ').next().unwrap().parse().unwrap();
         let entity = |line: &str| {
             let (id, entity) = line.strip_prefix('#')?.strip_suffix(';')?.split_once('=')?;
             Some((id.parse().unwrap(), entity.to_string()))
         };
         let entities = text.lines().filter_map(entity).collect();
-        Step { entities, deviation: rest.split(' ').next().unwrap().parse().unwrap() }
+        Step { entities, deviation: told("'pasu-deviation: "), bound: told("points compared, ") }
     }
 
     fn of(&self, kind: &str) -> impl Iterator<Item = (usize, &str)> {
@@ -36,6 +38,27 @@ impl Step {
             .iter()
             .filter(move |(_, entity)| entity.starts_with(&start))
             .map(|(id, entity)| (*id, entity.as_str()))
+    }
+
+    /// Every spline is no farther from one of the faces that have its name than the header says; ten millimetres are one of the pot's units.
+    fn assert_near(&self, name: &str, pot: &Pot) {
+        for (_, written) in self.of("ADVANCED_FACE") {
+            let written = arguments(written.strip_prefix("ADVANCED_FACE(").unwrap().strip_suffix(')').unwrap());
+            let entity = |id: &str| self.entities[&id[1..].parse().unwrap()].as_str();
+            let Some(surface) = entity(&written[2]).strip_prefix("B_SPLINE_SURFACE_WITH_KNOTS(") else { continue };
+            let spline = Spline::read(surface, entity);
+            let (from, to) = (spline.round[0], spline.round[spline.round.len() - 1]);
+            let places = (0..13).flat_map(|i| (0..11).map(move |j| ((f64::from(i) + 0.37) / 13.0, f64::from(j))));
+            let places: Vec<[f64; 2]> = places.map(|(a, j)| [a, from + (to - from) * (j + 0.61) / 11.0]).collect();
+            let points: Vec<glam::DVec3> = places.iter().map(|[a, v]| spline.at(*a, *v)).collect();
+            let faces = pot.faces().iter().filter(|face| format!("'{:?}'", face.kind()) == written[0]);
+            let off = |face: &pasu::Piece| {
+                let at = |[a, v]: &[f64; 2]| 10.0 * face.jet(*a, v % core::f64::consts::TAU).position;
+                places.iter().zip(&points).map(|(place, point)| at(place).distance(*point)).fold(0.0, f64::max)
+            };
+            let off = faces.map(off).fold(f64::INFINITY, f64::min);
+            assert!(off <= self.bound, "{name}: {} is off by {off}, not by {}", written[0], self.bound);
+        }
     }
 
     /// Every edge is walked once each way, every walk goes from vertex to vertex, and no two edges are one curve.
@@ -112,10 +135,12 @@ fn linings_that_are_upright_on_a_part_of_the_turn_close() {
             r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {{ "thickness": {thickness}, "base": {base} }} }}] }}"#
         );
         let design = Design::parse(&text).unwrap();
-        let n_wide = wide(&Pot::new(&design, 0, Product::Pot).unwrap(), 500);
+        let pot = Pot::new(&design, 0, Product::Pot).unwrap();
+        let n_wide = wide(&pot, 500);
         assert!((1..500).contains(&n_wide), "{name}: {n_wide}");
         let step = Step::read(&pasu::write(&design, Format::Step, &Making::default()).unwrap());
         step.assert_closed(name);
+        step.assert_near(name, &pot);
         assert!(step.deviation < most, "{name}: {}", step.deviation);
     }
 }

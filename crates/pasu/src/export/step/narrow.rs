@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use super::fit::{Boundary, Fitted, Scaled, ScaledWalk, around};
 use crate::face::ascending;
+use crate::numeric::bisection;
 
 /// Widths are looked at so often round a face, and between its seams.
 const PLACES: usize = 256;
@@ -33,11 +34,9 @@ impl Narrow {
             if is_here == since.is_some() {
                 continue;
             }
-            let [mut narrow, mut wide] = if is_here { [pair[1], pair[0]] } else { [pair[0], pair[1]] };
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (narrow + wide);
-                *(if is_narrow(middle) { &mut narrow } else { &mut wide }) = middle;
-            }
+            let ends = [(pair[0], !is_here), (pair[1], is_here)];
+            let [low, high] = bisection::change(ends[0], ends[1], HALVINGS, &mut is_narrow, |here| *here != is_here);
+            let narrow = if is_here { high.0 } else { low.0 };
             match since.take() {
                 Some(from) => stretches.push([from, narrow]),
                 None => since = Some(narrow),

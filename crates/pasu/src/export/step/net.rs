@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::columns::between;
 use super::exchange::settled;
 use super::spline::{Ends, basis, control_points};
 use crate::patch::SurfaceJet;
@@ -58,7 +59,6 @@ impl PatchNet {
         let is_off = |(i, u): (usize, f64), (j, v): (usize, f64)| {
             !((self.position((i, u), (j, v)) - at(u, v).position).length() <= distance)
         };
-        let between = |nodes: &[f64], i: usize, part: f64| nodes[i] + part * (nodes[i + 1] - nodes[i]);
         let node = |nodes: &[f64], i: usize| (i.min(nodes.len() - 2), nodes[i]);
         let rows = (0..self.u.len() - 1).filter(|&i| {
             PROBES.iter().any(|part| {

@@ -3,6 +3,7 @@
 pub(crate) mod documents;
 pub(crate) mod networks;
 pub(crate) mod random;
+pub(crate) mod step;
 pub(crate) mod value;
 
 use pasu::{BoundaryValue, Design, Shape, Surface};
