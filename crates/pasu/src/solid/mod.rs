@@ -3,6 +3,7 @@
 mod apart;
 mod ball;
 mod boxes;
+mod bridge;
 mod crease;
 mod curve;
 mod flank;

@@ -529,6 +529,7 @@ impl Builder<'_> {
         let offset = if inside { lining.first() } else { outer.first() };
         // A round bottom may be all wall; over a tip the other side of the wall does not close.
         let (is_cut, is_above) = (offset.has_column_cut(), offset.has_column_above());
+        let is_bridged = offset.has_column_bridged();
         let is_tip = is_pole && !is_cut && {
             let edge = Outline::of(&Curve::Start(Arc::clone(offset)), self.skin);
             edge.widest > POINT * self.skin.size()
@@ -548,7 +549,7 @@ impl Builder<'_> {
         }
         let offset = Arc::clone(if inside { lining.first() } else { outer.first() });
         let is_exact = offset.is_exact();
-        let is_led = has_level && (is_above || is_tip);
+        let is_led = has_level && (is_above || is_tip || is_bridged);
 
         // The edge of the clay at the design's side of the base, and at the other.
         let middle = if is_pole { outline.mean } else { self.disc(&outline, "shape", "foot")? };

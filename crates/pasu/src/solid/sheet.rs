@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use glam::DVec3;
 
+use super::bridge::Bridge;
 use super::crease::{Crease, Foot, Shoulder};
 use super::offset::{SheetJet, offset};
 use super::skin::{Skin, SkinJet, SkinWalk};
@@ -85,6 +86,8 @@ pub(crate) struct Sheet {
     brackets: Vec<Option<usize>>,
     /// Even columns that are above by more than neighbours differ: what is between two of them is all above, too.
     clear: Vec<bool>,
+    /// Over where the beginning of columns leaps; only at a level, where straight lines lead down from a bridge.
+    bridges: Vec<Bridge>,
     /// Where all columns begin, if they begin at the same place.
     common: Option<f64>,
     /// Columns that were asked for.
@@ -105,6 +108,7 @@ impl Sheet {
             trim: Trim::Foot,
             brackets: Vec::new(),
             clear: Vec::new(),
+            bridges: Vec::new(),
             common: Some(0.0),
             starts: Mutex::default(),
             crossings: OnceLock::new(),
@@ -165,6 +169,12 @@ impl Sheet {
         let (least, most) = starts.iter().fold((1.0f64, 0.0f64), |(least, most), s| (least.min(*s), most.max(*s)));
         if most - least <= COMMON {
             sheet.common = Some(0.5 * (least + most));
+        } else if let Trim::Level(_) = trim {
+            let round: Vec<f64> = sheet.skin.round().collect();
+            sheet.bridges = Bridge::all(&round, &mut |v| sheet.start(v));
+            if !sheet.bridges.is_empty() {
+                sheet.starts = Mutex::default();
+            }
         }
         (sheet, Trimmed::There { above, cut })
     }
@@ -226,6 +236,11 @@ impl Sheet {
     /// Whether any column is all above the level.
     pub(crate) fn has_column_above(&self) -> bool {
         matches!(self.trim, Trim::Level(_)) && self.brackets.contains(&None)
+    }
+
+    /// Whether any column begins above the level because the next ones do.
+    pub(crate) fn has_column_bridged(&self) -> bool {
+        !self.bridges.is_empty()
     }
 
     /// Whether any column is cut.
@@ -348,7 +363,8 @@ impl Sheet {
         if let Some(start) = known {
             return start;
         }
-        let start = self.find(v);
+        let found = self.find(v);
+        let start = self.bridges.iter().find_map(|bridge| bridge.lead(v, found)).unwrap_or(found);
         let mut starts = self.starts.lock().unwrap_or_else(PoisonError::into_inner);
         if starts.len() < REMEMBERED {
             starts.insert(key, start);

@@ -15,6 +15,7 @@ mod finite;
 mod fit;
 mod fitted;
 mod flood;
+mod floor_edges;
 mod frame_refusals;
 mod frame_solids;
 mod frames;

@@ -129,6 +129,8 @@ fn linings_that_are_upright_on_a_part_of_the_turn_close() {
         ("own-shell-bowl", 1.2, 0.8, 2e-3),
         ("own-fluted", 1.0, 0.3, 0.03),
         ("own-twist", 1.2, 0.8, 0.02),
+        // Its lining goes down below the floor and comes up again.
+        ("own-dint", 1.0, 0.8, 0.02),
     ] {
         let shape = shape(name);
         let text = format!(
