@@ -33,6 +33,9 @@ const PATIENCE = 5000;
 /** The keys that take up a tool, or put it down. */
 const TOOLS: Readonly<Record<string, (state: State) => Change>> = { p: togglePulling, m: togglePlacing };
 
+/** What stands at the upper edge while something is pulled at or moved. */
+const BARS = "pasu-pull-bar, pasu-place-bar";
+
 @customElement("pasu-stage")
 export class PasuStage extends DesignerElement {
   @query(".host") private readonly host!: HTMLDivElement;
@@ -155,8 +158,9 @@ export class PasuStage extends DesignerElement {
     const { stage } = this;
     if (!stage) return;
     const frame = this.getBoundingClientRect();
-    const boxOf = (name: string) => {
-      const each = this.renderRoot.querySelector(name)?.getBoundingClientRect();
+    const boxOf = (found: string | Element | null) => {
+      const element = typeof found === "string" ? this.renderRoot.querySelector(found) : found;
+      const each = element?.getBoundingClientRect();
       if (!each || each.width === 0 || each.height === 0) return [];
       const [left, top] = [each.left - frame.left, each.top - frame.top];
       return [{ left, top, right: left + each.width, bottom: top + each.height }];
@@ -164,8 +168,9 @@ export class PasuStage extends DesignerElement {
     // On a narrow screen the bar of the tool that pulls stands where the caption was.
     const caption = this.renderRoot.querySelector("#description:not(:empty)");
     const hidden = caption !== null && getComputedStyle(caption).visibility === "hidden";
-    const [box = null] = boxOf(hidden ? "pasu-pull-bar, pasu-place-bar" : "#description:not(:empty)");
-    stage.furnish(box, boxOf("pasu-stage-tools"));
+    const [box = null] = boxOf(hidden ? BARS : "#description:not(:empty)");
+    const bar = this.renderRoot.querySelector(BARS)?.shadowRoot?.querySelector(".bar") ?? null;
+    stage.furnish(box, [...boxOf("pasu-stage-tools"), ...boxOf(bar)]);
   }
 
   override render() {

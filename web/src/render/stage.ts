@@ -7,6 +7,7 @@ import type { Source } from "./gl/scene";
 import { WHOLE } from "./ground";
 import { Loop } from "./loop";
 import type { PartId, PartMesh, StageModel, StagePart } from "./mesh";
+import type { Cover } from "./overlay/cover";
 import type { Size } from "./overlay/dimensions";
 import type { Box } from "./overlay/label";
 import { Mark } from "./overlay/mark";
@@ -369,6 +370,11 @@ export class Stage {
     this.overlay.furniture = caption ? [caption, ...others] : others;
     if (this.fitted && this.room() > this.left) this.place(null, false);
     else this.loop.invalidate();
+  }
+
+  /** What lies over it, for what has to stand beside that. */
+  get cover(): Cover {
+    return { ...this.size, boxes: this.overlay.furniture };
   }
 
   /** Goes to a standard view, fitted. */

@@ -115,6 +115,10 @@ test("what stands on an edge or a point is not said to touch the table with all 
   for (const area of [0, 1e-7]) expect(on(area).Footprint).toBe("0 cm² (it stands on an edge or a point)");
   // A tube that flares.
   expect(on(12).Footprint).toBe("12 cm² (of which only edges or points touch the table)");
+  // Of a round foot that only just touches, rounding leaves as much.
+  const touch = { level: -1, area: q(1e-6), hullArea: q(12), hull: [] };
+  const barely = lines({ ...MEASURES, footprint: touch } as unknown as Measures);
+  expect(barely.Footprint).toBe("12 cm² (of which only edges or points touch the table)");
   const footprint = { level: -1, area: q(3), hullArea: q(12), hull: [] };
   const ring = lines({ ...MEASURES, footprint } as unknown as Measures);
   expect(ring.Footprint).toBe("12 cm² (of which 3 cm² touch the table)");

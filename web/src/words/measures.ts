@@ -150,8 +150,10 @@ function standing({ centre, tipping, footprint, bottom, width }: Measures, unit:
   if (footprint) {
     const { area, hullArea } = footprint;
     const onEdge = hullArea.value <= EDGE * width.greatest.value ** 2;
-    const part =
-      area.value <= EDGE * width.greatest.value ** 2 ? said.edgeTouches : said.touches(areaWords(area.value, unit));
+    // What would be told as nothing is so, too: where a round foot only just touches.
+    const touched = areaWords(area.value, unit);
+    const isEdge = area.value <= EDGE * width.greatest.value ** 2 || touched === areaWords(0, unit);
+    const part = isEdge ? said.edgeTouches : said.touches(touched);
     const touching = hullArea.value - area.value <= SAME * hullArea.value ? said.allTouches : part;
     const nothing = { value: 0, error: Math.max(hullArea.value, hullArea.error) };
     lines.push(

@@ -9,9 +9,16 @@ test("clay is weighed in what lengths are measured in", () => {
 });
 
 test("it is said what is counted", () => {
-  const [counted, density] = countedWords(wedging(1000, 0, 20), "cm");
+  const [counted, density] = countedWords(wedging(1000, 0, 20), 1900, "cm");
   expect(counted).toContain("1.95\u00a0kg for the pot itself");
   expect(counted).toContain("390\u00a0g to trim off");
   expect(density).toContain("1.95");
-  expect(countedWords(wedging(1000, 0, 0), "cm")[0]).not.toContain("trim");
+  expect(countedWords(wedging(1000, 0, 0), 1900, "cm")[0]).not.toContain("trim");
+});
+
+test("clay that would gain weight in the kiln is said to", () => {
+  // What is fired weighs 2.3 g/cm³: at less than some 5 % it would weigh more than when it was wet.
+  expect(countedWords(wedging(1000, 0, 20), 2300, "cm")[0]).toContain("Fired, the pot weighs 2.3\u00a0kg");
+  expect(countedWords(wedging(1000, 5, 20), 2300, "cm")[0]).toContain("gains weight");
+  expect(countedWords(wedging(1000, 6, 20), 2300, "cm")[0]).toContain("for the pot itself");
 });

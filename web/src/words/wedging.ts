@@ -17,9 +17,10 @@ export function clayWords(grams: number, unit: Unit): string {
   return words(grams, shown, DIGITS);
 }
 
-/** What is counted, in sentences. */
-export function countedWords({ pot, allowance }: Wedging, unit: Unit): readonly string[] {
+/** What is counted, in sentences. `fired` is the mass of the fired pot, in grams: no clay gains any in the kiln. */
+export function countedWords({ pot, allowance }: Wedging, fired: number, unit: Unit): readonly string[] {
   const own = clayWords(pot, unit);
   const counted = allowance > 0 ? said.counted(own, clayWords(allowance, unit)) : said.countedPot(own);
-  return [counted, said.density(formatNumber(WET_DENSITY))];
+  const gains = pot < fired ? [said.gains(clayWords(fired, unit))] : [];
+  return [...gains, counted, said.density(formatNumber(WET_DENSITY))];
 }

@@ -2,6 +2,7 @@
 
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { closes } from "../../document/closes";
 import { unitOf } from "../../document/look";
 import {
   boundOf,
@@ -189,13 +190,19 @@ export class PasuExport extends DesignerElement {
   }
 
   private products() {
-    const walled = this.designer.store.design.parts.some((part) => part.wall !== undefined);
+    const { parts } = this.designer.store.design;
+    const walled = parts.some((part) => part.wall !== undefined);
+    const note = walled
+      ? words.solid.note
+      : parts.every(({ shape }) => closes(shape))
+        ? words.solid.closed
+        : words.solid.unwalled;
     return [
       ...(walled ? [{ value: "pot" as Product, ...words.pot }] : []),
       {
         value: "solid" as Product,
         label: words.solid.label,
-        note: walled ? words.solid.note : words.solid.unwalled,
+        note,
       },
     ];
   }

@@ -44,8 +44,10 @@ export class PasuMeasures extends DesignerElement {
     const { designer } = this;
     const { state: now } = designer;
     if (!now.design.parts.some((part) => part.wall)) {
-      const solid = now.design.parts.every(({ shape }) => isSolid(shape));
-      return html`<p class="lead">${solid ? measures.isSolid : measures.isSurface}</p>`;
+      const open = now.design.parts.map(({ shape }) => shape).filter((shape) => !isSolid(shape));
+      const hasRim = open.some(({ kind }) => kind !== "vertex-frame");
+      const said = open.length === 0 ? measures.isSolid : hasRim ? measures.isSurface : measures.isSheet;
+      return html`<p class="lead">${said}</p>`;
     }
     const found = verdictNow(designer);
     return html`<section aria-labelledby="made">

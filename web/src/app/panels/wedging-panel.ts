@@ -38,7 +38,7 @@ export class PasuWedging extends DesignerElement {
       </div>
       ${this.number("shrinkage", words.shrinkage, chosen.shrinkage)}
       ${this.number("allowance", words.allowance, allowance)}
-      ${countedWords(wet, unit).map((text) => html`<p class="hint">${text}</p>`)}
+      ${countedWords(wet, clay.mass.value, unit).map((text) => html`<p class="hint">${text}</p>`)}
     </section>`;
   }
 

@@ -7,6 +7,7 @@ import { borderOf, ENDS, type End, sizeFactor } from "../../document/blend/secti
 import { SECTION } from "../../document/blend/tables.gen";
 import { unitOf } from "../../document/look";
 import type { Blend, Section, Triple } from "../../document/types";
+import { besideCover } from "../../render/overlay/cover";
 import { Hand } from "../../render/pull/hand";
 import type { See, Spot } from "../../render/pull/reach";
 import type { Stage } from "../../render/stage";
@@ -185,9 +186,11 @@ export class PasuSectionHandles extends DesignerElement {
     const { tool: hand } = this.lent;
     if (!hand || !blend) return;
     const see = hand.sight(this.designer.store.part);
-    for (const grip of gripsOf(blend)) {
+    const grips = gripsOf(blend);
+    for (const grip of grips) {
       const handle = this.renderRoot.querySelector<HTMLElement>(`[data-grip="${grip.end} ${grip.name}"]`);
-      const spot = see?.(grip.at);
+      const at = see?.(grip.at);
+      const spot = at && see && this.clear(at, grip, grips, see);
       if (!handle) continue;
       handle.hidden = !spot;
       if (spot) handle.style.setProperty("transform", `translate(${spot.x.toFixed(1)}px, ${spot.y.toFixed(1)}px)`);
@@ -201,6 +204,16 @@ export class PasuSectionHandles extends DesignerElement {
       const spots = points.flatMap(([x, y]) => see?.([x, y, z] as Triple) ?? []);
       this.draw("border", end, spots, "Z");
     }
+  }
+
+  /** Where a handle can be taken hold of: nearer to what it stands on, or to the middle of the stage. */
+  private clear(spot: Spot, { end, from }: Grip, grips: readonly Grip[], see: See): Spot {
+    const cover = this.stage?.cover;
+    if (!cover) return spot;
+    const base = from ?? grips.find((grip) => grip.end === end && grip.name === "height")?.at;
+    const stood = base && see(base);
+    const middle = { x: cover.width / 2, y: cover.height / 2 };
+    return besideCover(spot, stood ? [stood, middle] : [middle], cover);
   }
 
   private draw(what: string, end: End, spots: readonly Spot[], close: string): void {

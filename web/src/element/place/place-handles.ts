@@ -5,6 +5,7 @@ import { customElement, property, query, state } from "lit/decorators.js";
 import { longestOf } from "../../document/boxes";
 import { AXES, type Axis, ownAxis, scaledBy, sum, unit } from "../../document/moving";
 import type { Triple } from "../../document/types";
+import { isClear } from "../../render/overlay/cover";
 import { across } from "../../render/place/onto";
 import { Watch } from "../../render/place/watch";
 import type { See, Spot } from "../../render/pull/reach";
@@ -29,6 +30,9 @@ const LEAST_REACH = 70;
 const MOST_REACH = 0.34;
 /** They stand a little outside what they move. */
 const OUTSIDE = 0.62;
+/** Handles that something lies over are drawn in, in such steps, to this share of how far they stand. */
+const DRAWN_IN = 0.05;
+const NEAREST = 0.3;
 /** Angles (in degrees) and factors where a hand goes in steps. */
 const STEPS = { angle: 15, factor: 0.1 };
 /** Points of a ring. */
@@ -54,6 +58,8 @@ export class PasuPlaceHandles extends DesignerElement {
     },
   );
   private hold: Hold | null = null;
+  /** How far handles stood from the middle when a hand took hold of one. */
+  private outer = 0;
   /** What keys move, from the first press to the last release: the middle stays the same meanwhile. */
   private keyed: Manner | null = null;
   private feeling = 0;
@@ -186,16 +192,28 @@ export class PasuPlaceHandles extends DesignerElement {
     return Math.min(wanted, Math.max(LEAST_REACH, MOST_REACH * Math.min(width, height))) / pixels;
   }
 
+  /** How far a handle stands from the middle so that nothing lies over it; as far as the others where that is nowhere so. */
+  private drawnIn(see: See, pivot: Triple, reach: number, grip: Grip): number {
+    const cover = this.stage?.cover;
+    if (!cover || grip.kind === "free" || grip.kind === "turn") return reach;
+    for (let share = 1; share >= NEAREST; share -= DRAWN_IN) {
+      const spot = this.atEnd(see, pivot, share * reach, grip);
+      if (spot && isClear(spot, cover)) return share * reach;
+    }
+    return reach;
+  }
+
   private take(grip: Grip, spot: Spot | null): boolean {
     const manner = this.manner();
     const see = this.lent.tool?.sight();
     const loose = looseIds(this.designer.state);
     if (!manner || !see || loose.length === 0) return false;
+    this.outer = this.reachOf(see, manner);
     this.hold = {
       ...heldBy(this.designer.state, manner, loose),
       grip,
       see,
-      reach: this.reachOf(see, manner),
+      reach: this.drawnIn(see, manner.pivot, this.outer, grip),
       spot: spot ?? see(manner.pivot) ?? { x: 0, y: 0 },
       along: grip.kind === "scale" && grip.axis !== null ? this.ownAxis(grip.axis) : null,
     };
@@ -332,12 +350,12 @@ export class PasuPlaceHandles extends DesignerElement {
     const middle = manner && see?.(manner.pivot);
     this.toggleAttribute("away", !middle);
     if (!see || !manner || !middle) return;
-    const reach = this.hold?.grip.kind === "scale" ? this.hold.reach : this.reachOf(see, manner);
+    const reach = this.hold?.grip.kind === "scale" ? this.outer : this.reachOf(see, manner);
     for (const grip of this.grips()) {
       const spot =
         grip.kind === "turn"
           ? this.drawRing(see, manner.pivot, reach, grip)
-          : this.drawAxis(see, manner.pivot, reach, grip, middle);
+          : this.drawAxis(see, manner.pivot, this.drawnIn(see, manner.pivot, reach, grip), grip, middle);
       const handle = this.renderRoot.querySelector<HTMLElement>(`[data-grip="${nameOf(grip)}"]`);
       if (!handle) continue;
       handle.hidden = !spot;
@@ -363,17 +381,21 @@ export class PasuPlaceHandles extends DesignerElement {
 
   private drawAxis(see: See, pivot: Triple, reach: number, grip: Grip, middle: Spot): Spot | null {
     if (grip.kind === "free") return middle;
-    if (grip.kind === "turn") return null;
-    if (grip.axis === null) {
-      const far = Math.SQRT1_2 * across(see, pivot, reach);
-      const spot = { x: middle.x + far, y: middle.y - far };
-      this.draw(nameOf(grip), "line", [middle, spot]);
-      return spot;
-    }
-    const way = grip.kind === "move" ? unit(grip.axis) : this.ownAxis(grip.axis);
-    const spot = see(sum(pivot, scaledBy(reach, way)));
+    const spot = this.atEnd(see, pivot, reach, grip);
     this.draw(nameOf(grip), "line", spot ? [middle, spot] : []);
     return spot;
+  }
+
+  /** Where the end of a line so long is seen along which something is moved or scaled. */
+  private atEnd(see: See, pivot: Triple, reach: number, grip: Grip): Spot | null {
+    if (grip.kind === "free" || grip.kind === "turn") return null;
+    if (grip.axis !== null) {
+      const way = grip.kind === "move" ? unit(grip.axis) : this.ownAxis(grip.axis);
+      return see(sum(pivot, scaledBy(reach, way)));
+    }
+    const middle = see(pivot);
+    const far = Math.SQRT1_2 * across(see, pivot, reach);
+    return middle && { x: middle.x + far, y: middle.y - far };
   }
 
   /** The half of the ring that is before the middle is plain, the other faint. */
@@ -398,7 +420,9 @@ export class PasuPlaceHandles extends DesignerElement {
     this.draws(nameOf(grip), "line", runs(ring, nearer));
     const lean = LEANING[grip.axis] as Spot;
     const along = ({ x, y }: Spot) => (x - middle.x) * lean.x + (y - middle.y) * lean.y;
-    return ring.reduce((best, spot) => (along(spot) > along(best) ? spot : best));
+    const cover = this.stage?.cover;
+    const clear = cover ? ring.filter((spot) => isClear(spot, cover)) : ring;
+    return (clear.length > 0 ? clear : ring).reduce((best, spot) => (along(spot) > along(best) ? spot : best));
   }
 
   private draw(name: string, what: string, spots: readonly Spot[]): void {

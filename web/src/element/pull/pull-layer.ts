@@ -6,6 +6,7 @@ import { bumpOf, squeezing, takesRings, widened } from "../../document/brush";
 import { type Curve, curveUnder, gripsOf, pointOn, spanOf } from "../../document/curves";
 import { unitOf } from "../../document/look";
 import type { Pair, Shape, Triple } from "../../document/types";
+import { besideCover } from "../../render/overlay/cover";
 import { type Felt, Hand } from "../../render/pull/hand";
 import { type Direction, reached, type See } from "../../render/pull/reach";
 import type { Stage } from "../../render/stage";
@@ -435,7 +436,9 @@ export class PasuPull extends DesignerElement {
     for (const curve of gripsOf(shape)) {
       const handle = this.renderRoot.querySelector<HTMLElement>(`[data-curve="${curve.index}"]`);
       const point = this.gripOf(shape, curve);
-      const spot = point && see?.(point);
+      const at = point && see?.(point);
+      const cover = this.stage?.cover;
+      const spot = at && cover ? besideCover(at, [{ x: cover.width / 2, y: cover.height / 2 }], cover) : at;
       if (!handle) continue;
       handle.hidden = !spot;
       if (spot) handle.style.setProperty("transform", `translate(${spot.x.toFixed(1)}px, ${spot.y.toFixed(1)}px)`);

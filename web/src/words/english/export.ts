@@ -44,6 +44,7 @@ export const exporting = phrases("exporting", {
     label: "Closed solid",
     note: "For the vase mode of a slicer.",
     unwalled: "For vase mode. A hollow pot needs a wall.",
+    closed: "It closes all round: what is inside is solid.",
   },
   sizeOf: "Size",
   sizes: { designed: "As designed", height: "Height", width: "Width", capacity: "Capacity" } satisfies Readonly<

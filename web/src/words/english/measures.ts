@@ -55,6 +55,7 @@ export const measures = phrases("measures", {
   holdsStopped: (volume: string) => `Holds ${volume} to the brim with its drain hole stopped.`,
   isSolid: "It goes round a body: a solid as it is, which Export writes and which can be printed.",
   isSurface: "A surface without a wall: what it would hold is told, and a wall makes it a pot (under Wall).",
+  isSheet: "A surface without a thickness: it is measured as it is, and a thickness makes it a body (under Wall).",
   canBeMade: "Can it be made?",
   heading: "Measures",
   howExact: "How exact",

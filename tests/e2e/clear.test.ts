@@ -1,0 +1,84 @@
+// Handles on the stage stand where a hand can take hold of them: beside what lies over it.
+
+import { expect, test } from "vitest";
+import { designOf } from "../../web/src/document/gallery/exhibit.ts";
+import { SHELVES } from "../../web/src/document/gallery.ts";
+import { grip, handling, standing, takeParts } from "../support/placing.ts";
+import { dragFrom, spotOf } from "../support/pulling.ts";
+import { atRest } from "../support/sight.ts";
+import { stay } from "../support/stay.ts";
+import { PHONE, QUICK, type Visit, type VisitOptions } from "../support/visit.ts";
+
+const here = stay();
+
+async function opened(id: string, options: VisitOptions): Promise<Visit> {
+  const exhibit = SHELVES.flatMap(({ exhibits }) => exhibits).find((each) => each.id === id);
+  if (!exhibit) throw new Error(`no exhibit ${id}`);
+  const pot = await here.enter({ ...QUICK, ...options });
+  const first = await pot.fingerprint();
+  await pot.dropFile(`${id}.json`, JSON.stringify(designOf(exhibit)));
+  await pot.fingerprintOtherThan(first);
+  return pot;
+}
+
+/** The names of the handles that something else is over at their middles. */
+const covered = (pot: Visit, layer: string) =>
+  pot.page.locator(`${layer} button:not([hidden])`).evaluateAll((all) =>
+    all.flatMap((button) => {
+      const { left, top, width, height } = button.getBoundingClientRect();
+      const [x, y] = [left + width / 2, top + height / 2];
+      let at = document.elementFromPoint(x, y);
+      for (let within = at?.shadowRoot?.elementFromPoint(x, y); within && within !== at; ) {
+        at = within;
+        within = at.shadowRoot?.elementFromPoint(x, y);
+      }
+      // One handle may lie over another.
+      return at?.closest("button")?.parentElement === button.parentElement ? [] : [button.dataset.grip ?? ""];
+    }),
+  );
+
+const DESK: VisitOptions = { viewport: { width: 1280, height: 800 } };
+const NARROW: VisitOptions = { ...PHONE, viewport: { width: 320, height: 640 } };
+const LOW: VisitOptions = { viewport: { width: 640, height: 400 } };
+
+for (const [id, name, options] of [
+  ["own-lidded-jar", "on a desk", DESK],
+  ["own-octant-star", "on a desk", {}],
+  ["own-lidded-jar", "on a phone", PHONE],
+  ["own-tea-set", "on a narrow phone", NARROW],
+  ["own-lidded-jar", "in a low window", LOW],
+] as const) {
+  test(`every handle of ${id} can be taken hold of ${name}`, async () => {
+    const pot = await opened(id, options);
+    await takeParts(pot);
+    for (const kind of ["Move", "Turn", "Scale"]) {
+      await handling(pot, kind);
+      await atRest(pot);
+      await expect.poll(() => covered(pot, "pasu-place-handles .handles")).toEqual([]);
+    }
+  });
+}
+
+test("a lid at the upper edge of the stage is lifted by its handle", async () => {
+  const pot = await opened("own-lidded-jar", DESK);
+  await takeParts(pot);
+  await atRest(pot);
+  const lift = async () => (await standing(pot))[0]?.shift[2] ?? 0;
+  const before = await lift();
+  await dragFrom(pot, await spotOf(grip(pot, "move-z")), { x: 0, y: -30 });
+  await expect.poll(lift).toBeGreaterThan(before);
+});
+
+for (const [id, name, options] of [
+  ["own-crossed-ovals", "on a desk", DESK],
+  ["own-crossed-ovals", "on a phone", PHONE],
+  ["own-twisted-square", "on a phone", PHONE],
+] as const) {
+  test(`every handle of the sections of ${id} can be taken hold of ${name}`, async () => {
+    const pot = await opened(id, options);
+    await pot.button("Pull").click();
+    await pot.page.locator("pasu-section-handles .handles button").first().waitFor();
+    await atRest(pot);
+    await expect.poll(() => covered(pot, "pasu-section-handles .handles")).toEqual([]);
+  });
+}
