@@ -340,13 +340,17 @@ fn canonical(given: Vec<Part>) -> Result<Vec<Part>> {
         if let Some(name) = &part.name
             && let Some(earlier) = names.insert(name.clone(), index)
         {
-            let message =
-                format!("expected a name that no other part has, found {name:?}, which is that of parts[{earlier}]");
-            return Err(refused(Error::new(Code::Duplicate, "name", message)));
+            return Err(refused(name_taken(name, &format!("parts[{earlier}]"))));
         }
         parts.push(part.canonical().map_err(refused)?);
     }
     Ok(parts)
+}
+
+/// The refusal of a name that something else has, which is at `earlier`.
+pub(crate) fn name_taken(name: &str, earlier: &str) -> Error {
+    let message = format!("expected a name that no other part has, found {name:?}, which is that of {earlier}");
+    Error::new(Code::Duplicate, "name", message)
 }
 
 #[cfg(feature = "typescript")]

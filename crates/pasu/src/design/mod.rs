@@ -61,6 +61,7 @@ pub(crate) use ceramics::Layer;
 pub use conversion::{Conversion, Loss, VaseOrder};
 pub(crate) use described::Address;
 pub use document::Design;
+pub(crate) use document::name_taken;
 pub use family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
 pub(crate) use fields::Dimension;
 pub use handles::{End, Handle, HandleId, Handles, Restraint, Step};

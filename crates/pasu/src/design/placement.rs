@@ -205,8 +205,11 @@ const NOISE: f64 = 1e-14;
 #[cfg(feature = "patchwork")]
 impl Turn {
     /// A turn as it was given; `None` of one that turns nothing.
+    ///
+    /// One of more than twelve digits was computed, from turns of twelve: beside a whole number of twenty-fourths it is beside that.
     pub(super) fn exact(axis: [f64; 3], angle: f64) -> Option<Exact> {
-        let angle = as_given(angle);
+        let is_written = !(-PI..PI).contains(&angle) || rounded(angle) == angle;
+        let angle = if is_written { as_given(angle) } else { below_half_turn(angle) };
         let axis = unit(axis).filter(|_| angle != 0.0)?;
         let (real, sin) = match angle.abs() == PI {
             true => (0.0, 1.0f64.copysign(angle)),

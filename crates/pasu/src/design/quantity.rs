@@ -355,10 +355,11 @@ impl<'de> Visitor<'de> for Whole {
     }
 
     fn visit_f64<E: Error>(self, x: f64) -> Result<u32, E> {
-        if x.floor() == x && (0.0..=f64::from(u32::MAX)).contains(&x) {
-            Ok(x as u32)
-        } else {
-            Err(E::invalid_value(Unexpected::Float(x), &self))
+        let found = Unexpected::Float(x);
+        match x.floor() == x && x >= 0.0 && x.is_finite() {
+            true if x <= f64::from(u32::MAX) => Ok(x as u32),
+            true => Err(E::invalid_value(found, &"a whole number, 4294967295 or less")),
+            false => Err(E::invalid_value(found, &self)),
         }
     }
 }

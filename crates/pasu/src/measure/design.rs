@@ -92,8 +92,12 @@ fn refuse_hopeless(solution: &Solution, product: Product) -> Result<()> {
 
 /// The refusal of a part on which more of it would have to be done.
 fn too_long(design: &Design, index: usize) -> Error {
-    let field = if design.parts()[index].wall.is_some() { "wall" } else { "shape" };
-    let message = "it is folded or waved so finely that nobody would wait until it is measured: expected fewer waves, shallower ones or a thinner wall";
+    let (field, expected) = match design.parts()[index].wall {
+        Some(_) => ("wall", "fewer waves, shallower ones or a thinner wall"),
+        None => ("shape", "fewer waves or shallower ones"),
+    };
+    let message =
+        format!("it is folded or waved so finely that nobody would wait until it is measured: expected {expected}");
     Error::new(Code::TooLarge, format!("parts[{index}].{field}"), message)
 }
 

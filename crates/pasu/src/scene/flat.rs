@@ -1,8 +1,10 @@
 //! From a tree to the flat list of its leaves.
 
+use std::collections::HashMap;
+
 use super::node::{Content, Node};
 use super::tree::Tree;
-use crate::design::{Design, Motion, Part};
+use crate::design::{Design, Motion, Part, name_taken};
 use crate::error::{Code, Error, Result};
 
 /// The design of a tree: its leaves, in the order in which they stand in it, each where the unions above it put it, and glued into an object as the connected unions say.
@@ -20,7 +22,7 @@ use crate::error::{Code, Error, Result};
 /// # Errors
 /// As [`Design::read`], each with its path in the tree; `overflow` where shifts add up to more than numbers hold.
 pub fn flat(tree: &Tree) -> Result<Design> {
-    let mut leaves = Leaves { parts: Vec::new(), paths: Vec::new(), n_objects: 0 };
+    let mut leaves = Leaves { parts: Vec::new(), paths: Vec::new(), names: HashMap::new(), n_objects: 0 };
     leaves.take(tree.root(), &Motion::default(), "tree", false)?;
     let Leaves { parts, paths, .. } = leaves;
     let design = Design::of_parts(tree.title().map(str::to_owned), tree.unit(), parts);
@@ -31,6 +33,8 @@ pub fn flat(tree: &Tree) -> Result<Design> {
 struct Leaves {
     parts: Vec<Part>,
     paths: Vec<String>,
+    /// The paths of the leaves that have names.
+    names: HashMap<String, String>,
     n_objects: u32,
 }
 
@@ -46,6 +50,12 @@ impl Leaves {
             Content::Leaf(leaf) => {
                 let object = if is_glued { self.n_objects.saturating_sub(1) } else { self.n_objects };
                 self.n_objects = object + 1;
+                // The design would say by which of its parts the name is taken, and a tree has leaves.
+                if let Some(name) = &leaf.name
+                    && let Some(earlier) = self.names.insert(name.clone(), path.to_owned())
+                {
+                    return Err(name_taken(name, &earlier).at(format!("{path}.name")));
+                }
                 self.paths.push(path.to_owned());
                 self.parts.push(Part {
                     name: leaf.name.clone(),

@@ -38,8 +38,14 @@ const CLOSE: f64 = 2e-3;
 /// How often a cell is cut in four.
 const DEEPEST: u32 = 7;
 
-/// The most pairs of cells that are looked at.
+/// Once so many pairs of cells were looked at, none is cut any more.
 const MOST_PAIRS: usize = 4_000_000;
+
+/// Surfaces of which so many pairs are near are so finely folded that nothing will be proven of them: nobody waits for the rest.
+const HOPELESS: usize = 16_000_000;
+
+/// The most pairs that are looked at in all proofs of one lining, each of which draws it in further.
+const MOST_WORK: usize = 64_000_000;
 
 /// What rounding may take, as a part of the size.
 const ROUNDING: f64 = 1e-12;
@@ -375,8 +381,28 @@ fn gap(one: &Cell, other: &Cell, enough: f64) -> f64 {
     best
 }
 
+/// Work that may still be done.
+pub(super) struct Budget(usize);
+
+impl Budget {
+    /// For the proofs of one lining.
+    pub(super) fn new() -> Budget {
+        Budget(MOST_WORK)
+    }
+}
+
 /// Whether two surfaces are apart by `least` wherever the first is above a level, as far as that can be proven.
-pub(super) fn proven(of: &mut Cells, from: &mut Cells, boxes: &Nearby, least: f64, level: f64) -> Proof {
+///
+/// # Errors
+/// A place on the first up to which so many pairs were looked at that it was given up.
+pub(super) fn proven(
+    of: &mut Cells,
+    from: &mut Cells,
+    boxes: &Nearby,
+    (least, level): (f64, f64),
+    budget: &mut Budget,
+) -> Result<Proof, DVec3> {
+    let most = HOPELESS.min(budget.0);
     let mut proof = Proof { bound: least, at: None, lacks: vec![0.0; STRETCHES] };
     let least = least + ROUNDING * from.skin.size();
     let axis = of.skin.frame().axis();
@@ -396,6 +422,9 @@ pub(super) fn proven(of: &mut Cells, from: &mut Cells, boxes: &Nearby, least: f6
         while let Some((a, b)) = pairs.pop() {
             let (one, other) = (&of.cells[a], &from.cells[b]);
             n_pairs += 1;
+            if n_pairs > most {
+                return Err(one.middle);
+            }
             watch::work(1);
             let stretch = (0.5 * (one.s[0] + one.s[1]) * STRETCHES as f64) as usize;
             // What is missing by no more than is known to be missing there tells nothing.
@@ -425,5 +454,6 @@ pub(super) fn proven(of: &mut Cells, from: &mut Cells, boxes: &Nearby, least: f6
             }
         }
     }
-    proof
+    budget.0 -= n_pairs;
+    Ok(proof)
 }

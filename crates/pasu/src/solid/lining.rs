@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::apart::{Cells, Nearby, Proof, proven};
+use super::apart::{Budget, Cells, Nearby, Proof, proven};
 use super::samples::{Cloud, Samples};
 use super::skin::Skin;
 use super::told::place;
@@ -277,17 +277,21 @@ impl Search<'_> {
 
     /// Draws it in further until that is proven of all of it.
     fn proven(&self, drawn: &mut Drawn, outside: &mut Cells, boxes: &Nearby) -> Result<Proof> {
+        const WHY: &str = "it cannot be shown to keep far enough from the outside";
         let Search { maker, floor, thickness, .. } = *self;
+        let mut budget = Budget::new();
         let mut round = 0;
         loop {
             watch::go_on()?;
             let skin = maker.skin(drawn, floor)?;
-            let proof = |cells: Option<Cells>, outside: &mut Cells| {
-                cells.map_or(Proof::none(thickness), |mut cells| proven(&mut cells, outside, boxes, thickness, floor))
+            let mut proof = |cells: Option<Cells>, outside: &mut Cells| {
+                let Some(mut cells) = cells else { return Ok(Proof::none(thickness)) };
+                let found = proven(&mut cells, outside, boxes, (thickness, floor), &mut budget);
+                found.map_err(|at| maker.no_room_at(at, WHY))
             };
-            let found = proof(Cells::of(&skin, thickness), outside);
+            let found = proof(Cells::of(&skin, thickness), outside)?;
             let led = self.led(&self.samples(&skin)).is_empty();
-            let below = if led { None } else { Some(proof(Cells::led(&skin, floor, thickness), outside)) };
+            let below = if led { None } else { Some(proof(Cells::led(&skin, floor, thickness), outside)?) };
             let lacks = |proof: &Proof| thickness - proof.bound;
             let worst = below.as_ref().map_or(0.0, lacks).max(lacks(&found));
             if worst <= 0.0 {
@@ -295,8 +299,7 @@ impl Search<'_> {
             }
             if round >= RAISED {
                 let at = found.at.or(below.and_then(|below| below.at));
-                let why = "it cannot be shown to keep far enough from the outside";
-                return Err(at.map_or_else(|| maker.no_room(0.5, why), |at| maker.no_room_at(at, why)));
+                return Err(at.map_or_else(|| maker.no_room(0.5, WHY), |at| maker.no_room_at(at, WHY)));
             }
             drawn.foot += MORE * below.as_ref().map_or(0.0, lacks);
             for (number, drawn) in drawn.rings.iter_mut().enumerate() {

@@ -2,12 +2,16 @@
 //!
 //! What its time buys: the thickness of many random pots, sought between points of both sides by a search that shares nothing with that of the library.
 
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
+use std::rc::Rc;
 
 use glam::DVec3;
 use pasu::{
     Code, Design, Face, FaceKind, FaceWalk, Format, Making, MeasureOptions, Piece, Pot, Product, Solution, check,
+    watched,
 };
 use serde_json::{Value, json};
 
@@ -401,4 +405,22 @@ fn a_wall_as_thin_as_nothing_ends_soon() {
         // Made or refused: the samples are no closer together than the size allows.
         drop(Pot::new(&design, 0, Product::Pot));
     }
+}
+
+/// Cells as large as it takes to have no more than thousands of them cannot tell such flutes apart: 450 million pairs of them were looked at, for half a minute, and the lining was refused all the same.
+#[test]
+fn flutes_too_fine_for_a_proof_are_refused_soon() {
+    let shape = json!({ "kind": "bloor-wilson", "a": 3, "r": [1, 0.06, 0.05, 0.6], "R": [-2.7, -0.3, -0.3, 0.2], "h": [2.2, 0.3], "H": [-0.1, -0.1], "n1": 20 });
+    let design = parsed(&shape, &json!({ "thickness": 0.05, "base": 0.07, "lining": { "waves": 2 } }));
+    let n_told = Rc::new(Cell::new(0));
+    let told = Rc::clone(&n_told);
+    let count = move |_| {
+        told.set(told.get() + 1);
+        ControlFlow::Continue(())
+    };
+    let error = watched(count, || Pot::new(&design, 0, Product::Pot)).unwrap_err();
+    assert_eq!((error.code(), error.path()), (Code::NoRoom, "parts[0].wall.lining"));
+    assert!(error.message().contains("it cannot be shown to keep far enough from the outside"), "{error}");
+    // All pairs would be some 12,000.
+    assert!(n_told.get() < 1000, "{}", n_told.get());
 }

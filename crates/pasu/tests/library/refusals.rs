@@ -183,6 +183,12 @@ fn documents() {
             "expected a whole number, 0 or greater, found -1".into(),
         ),
         (
+            with_part(r#""object": 4294967296"#),
+            "out-of-range",
+            "parts[0].object",
+            "expected a whole number, 4294967295 or less, found 4294967296".into(),
+        ),
+        (
             with_part(r#""place": { "scale": [1, 0, 1] }"#),
             "out-of-range",
             "parts[0].place.scale[1]",

@@ -200,6 +200,21 @@ fn quarter_turns_and_simple_numbers_stay_what_they_are() {
     assert_eq!(places[3..], [(1, quarter, [5.0, 0.7, 0.0]), (1, quarter, [5.0, 0.7, 1.1]), (1, -PI, [5.0, 0.9, 0.0])]);
 }
 
+/// A quarter of a turn between two placements of twelve digits was taken for one to the last digit.
+#[test]
+fn parts_at_right_angles_come_back_from_their_tree() {
+    let vase: Value = serde_json::from_str(&Design::parse("#1/bloor-wilson?n1=5").unwrap().to_json()).unwrap();
+    let shape = &vase["parts"][0]["shape"];
+    let scene = json!({ "pasu": 1, "parts": [
+        { "shape": shape, "place": { "scale": [2, 2, 2], "axis": [-0.594960782092, 0.452645688986, 0.66417885243], "angle": -0.06 } },
+        { "shape": shape, "place": { "axis": [-0.004355305246, 0.032060169164, -0.999476451383], "angle": -1.5314621887 } },
+    ] });
+    let design = Design::parse(&scene.to_string()).unwrap();
+    let again = flat(&tree(&design)).unwrap();
+    assert_eq!(again.link(), design.link());
+    assert_eq!(fingerprint(&again).unwrap(), fingerprint(&design).unwrap());
+}
+
 fn refused(tree: &Value) -> (Code, String, String) {
     let error = Tree::parse(&tree.to_string()).and_then(|tree| flat(&tree)).unwrap_err();
     (error.code(), error.path().to_owned(), error.message().to_owned())
@@ -266,6 +281,9 @@ fn what_is_no_tree_is_refused_with_its_place() {
         assert_eq!((found, at.as_str()), (code, path), "{message}: {tree}");
         assert!(!message.is_empty());
     }
+    // By what a tree has: it has no list of parts.
+    let (_, _, message) = refused(&of(pair(with("name", json!("a")), with("name", json!("a")))));
+    assert_eq!(message, "expected a name that no other part has, found \"a\", which is that of tree.connected[0]");
     // What only JavaScript can say.
     let not_finite = serde_json::from_str::<Value>(
         r#"{ "pasu": 1, "tree": { "shape": { "kind": "octant", "exponents": [2, 2, 2] }, "place": { "angle": 1e999 } } }"#,
