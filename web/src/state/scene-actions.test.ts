@@ -71,6 +71,22 @@ test("the selection is of a part, not of a place", () => {
   expect(store.part).toBe(0);
 });
 
+test("the first part of a scene in which none was chosen yet stays selected wherever it is moved", () => {
+  store.apply(openDesign(store.state, { ...SCENE }));
+  const [first] = store.ids as [number];
+  const moved = () => store.ids[store.part] === first;
+  for (const place of [1, 2]) {
+    store.apply(movePart(store.state, store.ids[store.part] ?? -1, 1));
+    expect([store.part, moved()]).toEqual([place, true]);
+  }
+  store.undo();
+  expect([store.part, moved()]).toEqual([1, true]);
+  store.apply(openDesign(store.state, { ...SCENE }));
+  const [above, second] = store.ids as [number, number];
+  store.apply(movePart(store.state, second, -1));
+  expect(store.ids[store.part]).toBe(above);
+});
+
 test("a part that is deleted leaves the selection to its neighbour, and comes back by undo as it was", () => {
   store.apply(selectParts(lid));
   store.apply(deletePart(store.state, lid));

@@ -8,6 +8,7 @@ import { UNMOVED, type WholePlacement } from "../document/placement";
 import { LIMITS } from "../document/tables.gen";
 import type { Part, Placement, Triple } from "../document/types";
 import { freshIds, type PartId } from "./part-ids";
+import { selectedIds } from "./seen-actions";
 import type { Change, State } from "./store";
 
 const NOTHING: Change = { undo: "none" };
@@ -33,7 +34,7 @@ export function renamePart(state: State, id: PartId, name: string): Change {
   };
 }
 
-/** Moves a part up the list or down. */
+/** Moves a part up the list or down. What was selected is so still: the first part too, which is as long as none was chosen. */
 export function movePart(state: State, id: PartId, by: 1 | -1): Change {
   const { design, ids } = state;
   const from = ids.indexOf(id);
@@ -45,6 +46,7 @@ export function movePart(state: State, id: PartId, by: 1 | -1): Change {
   return {
     design: { ...design, parts: swapped(design.parts, part, other) },
     ids: swapped(ids, id, ids[to] ?? id),
+    session: { selection: selectedIds(state) },
     undo: "step",
   };
 }
