@@ -78,6 +78,7 @@ test("parts are selected, ordered, copied and deleted by keys alone, and every s
   expect(await selected(pot)).toBe("Part 3");
   await pot.undo();
   await pot.shows(four);
+  expect(await selected(pot)).toBe("Lid 2");
   await list(pot).focus();
   for (const left of [3, 2]) {
     await keyboard.press("Delete");

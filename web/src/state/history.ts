@@ -1,10 +1,15 @@
 /** Undo and redo over whole frozen documents, which share all that did not change, with the identities of their parts. */
 
-import type { Identified } from "./part-ids";
+import type { Identified, PartId } from "./part-ids";
+
+/** A document with what was selected when it was left; of before a reload that is not known. */
+export interface Left extends Identified {
+  readonly selection?: readonly PartId[];
+}
 
 export interface History {
-  readonly past: readonly Identified[];
-  readonly future: readonly Identified[];
+  readonly past: readonly Left[];
+  readonly future: readonly Left[];
   /** The key of the gesture whose changes join one step; null between gestures. */
   readonly merging: string | null;
 }
@@ -17,7 +22,7 @@ const MAX_STEPS = 500;
 /** The history after `before` was replaced. */
 export function record(
   history: History,
-  before: Identified,
+  before: Left,
   change: { readonly undo: "step" | "merge" | "none"; readonly key?: string },
 ): History {
   if (change.undo === "none") return history;
@@ -31,7 +36,7 @@ export function endMerge(history: History): History {
 }
 
 /** Takes back the gesture under way, as if it had never begun. */
-export function cancelMerge(history: History): { history: History; now: Identified } | null {
+export function cancelMerge(history: History): { history: History; now: Left } | null {
   const now = history.merging === null ? undefined : history.past.at(-1);
   return now ? { now, history: { past: history.past.slice(0, -1), future: [], merging: null } } : null;
 }
@@ -52,13 +57,13 @@ export function canRedo(history: History): boolean {
   return history.future.length > 0;
 }
 
-export function undo(history: History, from: Identified): { history: History; now: Identified } | null {
+export function undo(history: History, from: Left): { history: History; now: Left } | null {
   const now = history.past.at(-1);
   if (!now) return null;
   return { now, history: { past: history.past.slice(0, -1), future: [from, ...history.future], merging: null } };
 }
 
-export function redo(history: History, from: Identified): { history: History; now: Identified } | null {
+export function redo(history: History, from: Left): { history: History; now: Left } | null {
   const [now, ...future] = history.future;
   if (!now) return null;
   return { now, history: { past: [...history.past, from], future, merging: null } };

@@ -15,7 +15,7 @@ import {
   renamePart,
   splitOff,
 } from "./scene-actions";
-import { hiddenParts, selectParts, togglePart } from "./seen-actions";
+import { hiddenParts, selectedIds, selectParts, togglePart } from "./seen-actions";
 import { NEW_SESSION } from "./session";
 import { setFields } from "./shape-actions";
 import { Store } from "./store";
@@ -98,8 +98,26 @@ test("a part that is deleted leaves the selection to its neighbour, and comes ba
   store.undo();
   expect(store.ids).toEqual([body, lid, foot]);
   expect(store.design).toBe(SCENE);
-  // What was selected last is selected still.
-  expect(store.part).toBe(0);
+});
+
+test("a part that undo brings back is selected as it was, and redo selects its neighbour again", () => {
+  store.apply(selectParts(body, lid));
+  store.apply(deletePart(store.state, lid));
+  store.apply(selectParts(body));
+  store.undo();
+  expect(selectedIds(store.state)).toEqual([body, lid]);
+  store.redo();
+  expect(selectedIds(store.state)).toEqual([body]);
+  store.undo();
+  // Nobody comes or goes: what is selected by then stays so.
+  store.apply(renamePart(store.state, foot, "Foot"));
+  store.apply(selectParts(foot));
+  store.undo();
+  expect(selectedIds(store.state)).toEqual([foot]);
+  store.apply(movePart(store.state, foot, -1));
+  store.apply(selectParts(body));
+  store.undo();
+  expect(selectedIds(store.state)).toEqual([body]);
 });
 
 test("a selected part that undo takes away is selected again by redo", () => {
@@ -109,7 +127,7 @@ test("a selected part that undo takes away is selected again by redo", () => {
   expect(store.part).toBe(2);
   store.undo();
   expect(store.ids).not.toContain(copy);
-  expect(store.part).toBe(0);
+  expect(store.part).toBe(1);
   store.redo();
   expect([store.ids[2], store.part]).toEqual([copy, 2]);
 });

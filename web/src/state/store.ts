@@ -3,7 +3,7 @@
 import { batch, computed, type Signal, signal } from "@preact/signals-core";
 import { frozen } from "../document/path";
 import type { Design } from "../document/types";
-import type { History } from "./history";
+import type { History, Left } from "./history";
 import { cancelMerge, canRedo, canUndo, EMPTY, endMerge, recall, record, redo, undo } from "./history";
 import { freshIds, type Identified, type PartId, placeOf } from "./part-ids";
 import type { Session } from "./session";
@@ -99,13 +99,13 @@ export class Store {
   }
 
   apply(change: Change): void {
-    const before = this.#design.peek();
-    const design = frozen(change.design ?? before);
+    const before = this.#left;
+    const design = frozen(change.design ?? before.design);
     batch(() => {
       if (change.session) this.#session.value = frozen({ ...this.#session.peek(), ...change.session });
-      if (design === before) return;
+      if (design === before.design) return;
       this.#travelled = false;
-      this.#history.value = record(this.#history.peek(), this.#identified, change);
+      this.#history.value = record(this.#history.peek(), before, change);
       this.#design.value = design;
       this.#ids.value = this.#idsOf(design, change.ids);
     });
@@ -145,15 +145,15 @@ export class Store {
   }
 
   undo(): void {
-    this.#travel(undo(this.#history.peek(), this.#identified), true);
+    this.#travel(undo(this.#history.peek(), this.#left), true);
   }
 
   redo(): void {
-    this.#travel(redo(this.#history.peek(), this.#identified), true);
+    this.#travel(redo(this.#history.peek(), this.#left), true);
   }
 
-  get #identified(): Identified {
-    return { design: this.#design.peek(), ids: this.#ids.peek() };
+  get #left(): Left {
+    return { design: this.#design.peek(), ids: this.#ids.peek(), selection: this.#session.peek().selection };
   }
 
   /** Those that the change tells, or the same as before; a design of other parts of which nothing is told has new ones. */
@@ -170,13 +170,18 @@ export class Store {
     return ids;
   }
 
-  #travel(trip: { readonly history: History; readonly now: Identified } | null, travelled = false): void {
+  #travel(trip: { readonly history: History; readonly now: Left } | null, travelled = false): void {
     if (trip === null) return;
+    const { design, ids, selection } = trip.now;
+    const before = this.#ids.peek();
     batch(() => {
       this.#travelled = travelled;
       this.#history.value = trip.history;
-      this.#design.value = trip.now.design;
-      this.#ids.value = trip.now.ids;
+      this.#design.value = design;
+      this.#ids.value = ids;
+      // Where parts come or go, so does what was selected with them; what is only changed back leaves the hand where it is.
+      if (selection && (ids.length !== before.length || ids.some((id) => !before.includes(id))))
+        this.#session.value = frozen({ ...this.#session.peek(), selection });
     });
   }
 }
