@@ -176,6 +176,28 @@ test("a tour of the page without a mouse", async () => {
   expect(await stop(pot)).not.toBeNull();
 });
 
+test("the focus stays on what has nothing more to do, and goes from a button that goes to its opposite", async () => {
+  const pot = await here.enter({ link: "#1/second-order" });
+  const { keyboard } = pot.page;
+  const surface = await pot.fingerprint();
+  const focused = async () => (await stop(pot))?.name;
+  await pot.tab("Wall");
+  await pot.button("Make it a pot").focus();
+  for (const next of ["Remove the wall", "Make it a pot"]) {
+    await keyboard.press("Enter");
+    await pot.button(next).waitFor();
+    expect(await focused()).toBe(next);
+  }
+  for (const name of ["Undo", "Redo"] as const) {
+    await pot.history(name).focus();
+    // Once more than there is anything to do.
+    for (let step = 0; step < 3; step += 1) await keyboard.press("Enter");
+    await expect.poll(() => pot.history(name).isDisabled()).toBe(true);
+    expect(await focused()).toBe(name);
+  }
+  await pot.shows(surface);
+});
+
 test("the shape is told in words, and told again when it changes", async () => {
   const pot = await here.enter({ link: "#1/second-order" });
   const before = await pot.fingerprint();

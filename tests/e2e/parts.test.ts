@@ -108,6 +108,24 @@ test("a change is one of the selected part, wherever it stands by then", async (
   expect(await selected(pot)).toBe("Body");
 });
 
+test("the part that is first now is moved up no further, and its button has the focus still", async () => {
+  const { pot } = await three();
+  await options(pot).filter({ hasText: "Lid" }).click();
+  const up = pot.button("Move up");
+  await up.focus();
+  await pot.page.keyboard.press("Enter");
+  await expect.poll(() => up.isDisabled()).toBe(true);
+  await pot.page.keyboard.press("Enter");
+  expect(await names(pot)).toEqual(["Lid", "Body", "Part 3"]);
+  expect(await selected(pot)).toBe("Lid");
+  expect(await up.evaluate((button) => button.matches(":focus"))).toBe(true);
+  // On to the next one with Tab, and back the whole way.
+  await pot.page.keyboard.press("Tab");
+  for (let step = 0; step < 3; step += 1) await pot.page.keyboard.press("Enter");
+  await expect.poll(() => names(pot)).toEqual(["Body", "Part 2", "Lid"]);
+  expect(await pot.button("Move down").evaluate((button) => button.matches(":focus"))).toBe(true);
+});
+
 test("a part is named, and never as another one", async () => {
   const { pot } = await three();
   const { keyboard } = pot.page;

@@ -98,8 +98,16 @@ export class PasuTopBar extends DesignerElement {
     return this.plain(label, ICONS[command], label, false, () => this.ask(command));
   }
 
+  /** What cannot be done now keeps the focus all the same: undo goes on with the next press of a key, or redo takes over. */
   private plain(label: string, name: IconName, title: string, disabled: boolean, act: () => void) {
-    return html`<button class="button bare" type="button" aria-label=${label} title=${title} ?disabled=${disabled} @click=${act}>
+    return html`<button
+      class="button bare"
+      type="button"
+      aria-label=${label}
+      title=${title}
+      aria-disabled=${disabled ? "true" : nothing}
+      @click=${() => disabled || act()}
+    >
       ${icon(name)}
     </button>`;
   }

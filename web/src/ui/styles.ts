@@ -88,10 +88,10 @@ export const buttons = css`
   .button.bare {
     padding: 0;
   }
-  .button:hover:not(:disabled) {
+  .button:hover:not(:disabled, [aria-disabled="true"]) {
     background: var(--well);
   }
-  .button:disabled {
+  .button:is(:disabled, [aria-disabled="true"]) {
     color: var(--edge);
     cursor: default;
   }
@@ -104,11 +104,11 @@ export const buttons = css`
     color: var(--on-accent);
     font-weight: 550;
   }
-  .button.primary:disabled {
+  .button.primary:is(:disabled, [aria-disabled="true"]) {
     background: var(--well);
     color: var(--soft);
   }
-  .button.primary:hover:not(:disabled) {
+  .button.primary:hover:not(:disabled, [aria-disabled="true"]) {
     background: var(--accent-strong);
   }
   .button[aria-pressed="true"],
@@ -123,6 +123,10 @@ export const buttons = css`
     .button[aria-pressed="true"],
     .button[aria-checked="true"] {
       outline: 2px solid Highlight;
+    }
+    .button[aria-disabled="true"] {
+      border-color: GrayText;
+      color: GrayText;
     }
   }
 `;

@@ -183,7 +183,14 @@ export class PasuParts extends UnhurriedElement {
     const { design, ids } = designer.store;
     const objects = new Set(selected.map((id) => objectOf(design.parts[ids.indexOf(id)] as Part)));
     const press = (label: string, disabled: boolean, change: () => Change) =>
-      html`<button class="button outlined" type="button" ?disabled=${disabled} @click=${() => designer.apply(change())}>${label}</button>`;
+      html`<button
+        class="button outlined"
+        type="button"
+        aria-disabled=${disabled ? "true" : nothing}
+        @click=${() => disabled || designer.apply(change())}
+      >
+        ${label}
+      </button>`;
     const apart = separateParts(designer.state, selected).undo === "none";
     return html`<div class="several" role="group" aria-label=${parts.selected(selected.length)}>
       <p role="status">${parts.selected(selected.length)}</p>
@@ -234,14 +241,15 @@ export class PasuParts extends UnhurriedElement {
     return html`<span class="eye" title=${hidden ? parts.show : parts.hide} @click=${press}>${icon(hidden ? "hidden" : "seen")}</span>`;
   }
 
+  /** What a button does may leave it nothing more to do: the focus stays on it, which `disabled` would take away. */
   private button(label: string, name: IconName, disabled: boolean, change: () => Change) {
     return html`<button
       class="button bare"
       type="button"
       aria-label=${label}
       title=${label}
-      ?disabled=${disabled}
-      @click=${() => this.designer.apply(change())}
+      aria-disabled=${disabled ? "true" : nothing}
+      @click=${() => disabled || this.designer.apply(change())}
     >
       ${icon(name)}
     </button>`;

@@ -33,10 +33,19 @@ const MOST_WAVES = 12;
 @customElement("pasu-wall")
 export class PasuWall extends DesignerElement {
   private size = 1;
+  private focused = false;
 
   override willUpdate(): void {
+    this.focused = this.shadowRoot?.activeElement != null;
     const solved = this.designer.surface.shown?.solved;
     if (solved) this.size = longest(solved);
+  }
+
+  /** With the wall most of this comes or goes, and with it what had the focus: then the button has it that does the opposite, or what is said where there is none. */
+  override updated(): void {
+    if (!this.focused || this.shadowRoot?.activeElement) return;
+    const find = (what: string) => this.renderRoot.querySelector<HTMLElement>(what);
+    (find(".walling") ?? find(".lead"))?.focus();
   }
 
   override render() {
@@ -49,10 +58,11 @@ export class PasuWall extends DesignerElement {
     if (closes(shape)) return this.closed(wall !== undefined);
     if (!wall) {
       // A wall takes closed sections to go round between.
-      if (shape.kind === "blend" && !isRound(shape)) return html`<p class="lead">${words.isOpenBlend}</p>`;
+      if (shape.kind === "blend" && !isRound(shape))
+        return html`<p class="lead" tabindex="-1">${words.isOpenBlend}</p>`;
       const lead = isPatched ? words.isNetwork : shape.kind === "blend" ? words.isBlend : words.isSurface;
       return html`<p class="lead">${lead}</p>
-        <button class="button primary" type="button" @click=${() => designer.apply(setPot(designer.state, true, this.size))}>
+        <button class="button primary walling" type="button" @click=${() => designer.apply(setPot(designer.state, true, this.size))}>
           ${isPatched ? words.thicken : words.makePot}
         </button>`;
     }
@@ -66,7 +76,7 @@ export class PasuWall extends DesignerElement {
         >
           ${parameters.explain}
         </button>
-        <button class="button outlined" type="button" @click=${() => designer.apply(setPot(designer.state, false, this.size))}>
+        <button class="button outlined walling" type="button" @click=${() => designer.apply(setPot(designer.state, false, this.size))}>
           ${words.remove}
         </button>
       </div>
@@ -83,11 +93,11 @@ export class PasuWall extends DesignerElement {
   /** What goes round a body has no edge for a wall to end at. It may have got one in a file, or before it was closed. */
   private closed(isWalled: boolean) {
     const { designer } = this;
-    return html`<p class="lead">${words.closed}</p>
+    return html`<p class="lead" tabindex="-1">${words.closed}</p>
       ${
         isWalled
           ? html`<p class="problem" role="status">${icon("warn")}<span>${words.closedWall}</span></p>
-              <button class="button primary" type="button" @click=${() => designer.apply(setPot(designer.state, false, this.size))}>
+              <button class="button primary walling" type="button" @click=${() => designer.apply(setPot(designer.state, false, this.size))}>
                 ${words.remove}
               </button>`
           : nothing
