@@ -7,7 +7,7 @@ import { setPath } from "../document/path";
 import type { Design, Wall } from "../document/types";
 import type { Ask } from "../maker/messages";
 import { longest } from "../solver/solved";
-import { selectTab, toggleOverlay, togglePulling } from "../state/actions";
+import { openDesign, selectTab, toggleOverlay, togglePulling } from "../state/actions";
 import { setFill, setMap } from "../state/wall-actions";
 import { Made } from "./made";
 
@@ -160,6 +160,26 @@ test("what a surface would hold is not said of a pot whose wall is new", async (
   expect(made.holds).toMatch(/^Holds /);
   expect(made.holds).not.toBe(pot);
   expect(made.isOfNow(made.measures)).toBe(true);
+});
+
+test("measures of an earlier change stay until the new ones are there, those of another pot go at once", async () => {
+  const { made, making, rests, store } = await potted();
+  store.apply(selectTab("measures"));
+  await making.finish();
+  const { measures } = made;
+  store.apply({ design: tall(POT, 21), undo: "step" });
+  expect(made.measures).toBe(measures);
+  await rests();
+  // Nor do those come that were asked for before it was opened.
+  store.apply(openDesign(store.state, tall(POT, 22)));
+  expect(made.measures.value).toBeNull();
+  await making.finish();
+  expect(made.measures.of).not.toEqual(tall(POT, 21));
+  await rests();
+  await making.finish();
+  expect(made.measures).toMatchObject({ of: store.design, problem: null });
+  store.undo();
+  expect(made.measures.value).toBeNull();
 });
 
 test("beside the wall's numbers checks are asked for where a ring or a drain may have been fitted", async () => {

@@ -14,6 +14,7 @@ import { waterRange } from "../document/water";
 import type { MakerClient } from "../maker/client";
 import type { Answers, Ask, Filled, Kind, Lined, Painted, Quick, Solid } from "../maker/messages";
 import { longest, unwalled } from "../solver/solved";
+import type { PartId } from "../state/part-ids";
 import type { Store } from "../state/store";
 import { holdsText } from "../words/measures";
 import { InStep, type Later, timer } from "./in-step";
@@ -71,6 +72,8 @@ export class Made {
   readonly #asked = new Map<Shown, { readonly of: Design; readonly key: string; readonly maker: MakerClient }>();
   /** How high and wide all is with walls, and what these were made on. */
   #beneath: { readonly value: Solid; readonly all: Extents | null; readonly drawn: Extents } | null = null;
+  /** Who the parts were that were followed last. */
+  #ids: readonly PartId[];
   readonly #later: Later;
   /** What is under the hand in a gesture, once it is on the stage. */
   readonly #held = computed(() => {
@@ -84,6 +87,7 @@ export class Made {
   constructor(store: Store, surface: Surface, maker: MakerClient, later: Later = timer, judge = maker) {
     this.#store = store;
     this.#surface = surface;
+    this.#ids = store.ids;
     this.#later = later;
     this.maker = maker;
     this.judge = judge;
@@ -224,8 +228,12 @@ export class Made {
   }
 
   #follow(): void {
-    const { design, session } = this.#store;
+    const { design, ids, session } = this.#store;
     const { shown } = this.#surface;
+    // Measures of an earlier change are of some use until the new ones are there, those of another pot of none.
+    const opened = !ids.some((id) => this.#ids.includes(id));
+    this.#ids = ids;
+    if (opened) this.#want("measure", null, "");
     const rests = shown?.settled === true && shown.design === design;
     const still = this.#still.value === design;
     const { of, value, key } = this.solid;
