@@ -4,8 +4,9 @@
 
 import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
+import { sight } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import { PHONE, type Visit, type VisitOptions } from "../support/visit.ts";
+import { CLEAR, PHONE, type Visit, type VisitOptions } from "../support/visit.ts";
 
 const here = stay();
 
@@ -196,6 +197,20 @@ test("the focus stays on what has nothing more to do, and goes from a button tha
     expect(await focused()).toBe(name);
   }
   await pot.shows(surface);
+});
+
+test("sliders have a track where the colours are forced", async () => {
+  const pot = await here.enter({ link: "#1/second-order", ...CLEAR, forcedColors: "active" });
+  await pot.fingerprint();
+  const slider = pot.page.getByRole("slider", { name: "Height" });
+  await slider.scrollIntoViewIfNeeded();
+  const box = await slider.boundingBox();
+  if (!box) throw new Error("the slider cannot be seen");
+  // What is left of its ends, where the thumb is not.
+  for (const from of [0.03, 0.85]) {
+    const clip = { x: box.x + from * box.width, y: box.y, width: 0.1 * box.width, height: box.height };
+    expect(sight(await pot.page.screenshot({ clip })).tones).toBeGreaterThan(1);
+  }
 });
 
 test("the shape is told in words, and told again when it changes", async () => {

@@ -399,14 +399,17 @@ export class PasuNumber extends LitElement {
           height: 40px;
         }
       }
+      /* Where colours are forced there are no backgrounds of one's own, and this line is seen in their place. */
       .slider::-webkit-slider-runnable-track {
         height: 4px;
         border-radius: 2px;
+        outline: 1px solid transparent;
         background: linear-gradient(to right, var(--accent) var(--fill), var(--line) var(--fill));
       }
       .slider::-moz-range-track {
         height: 4px;
         border-radius: 2px;
+        outline: 1px solid transparent;
         background: var(--line);
       }
       .slider::-moz-range-progress {
