@@ -6,6 +6,7 @@ import { fineWall, walls, watchDrags } from "../support/drag.ts";
 import { countDrawn, drawn } from "../support/drawn.ts";
 import { countQuestions, grip, handling, questions, seenPart, standing, takeParts } from "../support/placing.ts";
 import { dragFrom, fingers, spotOf } from "../support/pulling.ts";
+import { unreachable } from "../support/reach.ts";
 import { atRest } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
 import { PHONE, QUICK, type Visit, type VisitOptions } from "../support/visit.ts";
@@ -347,6 +348,17 @@ test("a finger moves a part over the table, and beside it turns the view", async
   const beside = { x: stage.x + 12, y: stage.y + stage.height * 0.75 };
   await fingers(pot, [{ from: beside, to: { x: beside.x + 60, y: beside.y } }]);
   expect(await shifts(pot)).toEqual(moved);
+});
+
+test("on the narrowest phones the whole bar of the tool is on the screen", async () => {
+  const pot = await three({ ...QUICK, ...PHONE });
+  await takeParts(pot);
+  for (const width of [320, 360]) {
+    await pot.page.setViewportSize({ width, height: 740 });
+    expect(await unreachable(pot, "pasu-place-bar"), `${width} pixels wide`).toEqual([]);
+    const bar = await pot.page.locator("pasu-place-bar .bar").boundingBox();
+    expect(bar && bar.x >= 0 && bar.x + bar.width <= width, `${width} pixels wide`).toBe(true);
+  }
 });
 
 test("the tool is there for everybody, and one part alone is moved by its key", async () => {

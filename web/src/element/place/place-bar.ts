@@ -85,6 +85,9 @@ export class PasuPlaceBar extends DesignerElement {
     segmented,
     barStyles,
     css`
+      .bar {
+        flex-wrap: wrap;
+      }
       .steps {
         display: flex;
         align-items: center;
@@ -126,6 +129,10 @@ export class PasuPlaceBar extends DesignerElement {
         .bar {
           gap: 4px;
           padding: 3px 5px;
+        }
+        .button,
+        fieldset label {
+          padding: 0 6px;
         }
       }
     `,
