@@ -148,6 +148,30 @@ test("a part is named, and never as another one", async () => {
   await expect.poll(() => names(pot)).toEqual(["Body", "Lid", "Lid ring"]);
 });
 
+test("why a part got its old name back is said until the next one is typed, or another part is selected", async () => {
+  const { pot } = await three();
+  const { keyboard } = pot.page;
+  const taken = pot.page.getByText("Another part has this name.");
+  const field = pot.page.getByLabel("Name of the part");
+  const name = async (text: string) => {
+    await field.fill(text);
+    await keyboard.press("Tab");
+  };
+  await options(pot).filter({ hasText: "Lid" }).click();
+  await name("Body");
+  await expect.poll(() => field.inputValue()).toBe("Lid");
+  expect(await field.getAttribute("aria-invalid")).toBe("false");
+  expect(await taken.count()).toBe(1);
+  expect(await findings(pot)).toEqual([]);
+  await name("Cover");
+  await expect.poll(() => names(pot)).toEqual(["Body", "Cover", "Part 3"]);
+  expect(await taken.count()).toBe(0);
+  await name("Body");
+  expect(await taken.count()).toBe(1);
+  await options(pot).filter({ hasText: "Part 3" }).click();
+  await expect.poll(() => taken.count()).toBe(0);
+});
+
 test("a part is glued to others, or stands by itself, which the link knows and one step takes back", async () => {
   const { pot } = await three();
   const glue = pot.page.locator("pasu-parts select");

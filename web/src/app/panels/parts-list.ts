@@ -147,6 +147,7 @@ export class PasuParts extends UnhurriedElement {
     const option = this.renderRoot.querySelector<HTMLElement>("[data-chosen]");
     if (chosen === this.followed || !option) return;
     this.followed = chosen;
+    this.say("");
     const [top, height] = [option.offsetTop - this.list.offsetTop, this.list.clientHeight];
     const { scrollTop } = this.list;
     if (top < scrollTop) this.list.scrollTop = top;
@@ -271,13 +272,13 @@ export class PasuParts extends UnhurriedElement {
     if (!taken) this.designer.apply(renamePart(this.designer.state, id, this.name.value));
   };
 
-  /** The typing is over. Where it ended with the name of another part it never happened. */
+  /** The typing is over. Where it ended with the name of another part it never happened; why the old name is there again is read until the next is typed. */
   private readonly named = (): void => {
     const { store } = this.designer;
     if (this.name.getAttribute("aria-invalid") === "true") store.cancelGesture();
     else store.endGesture();
     this.name.value = store.design.parts[store.part]?.name ?? "";
-    this.say("");
+    this.name.setAttribute("aria-invalid", "false");
   };
 
   private say(text: string): void {
