@@ -178,6 +178,7 @@ test("a locked part stays under the hand, and is neither moved nor deleted", asy
   await pot.button("Lock where it stands").click();
   await row(pot, "Red").getByText("locked").waitFor({ state: "attached" });
   expect(await pot.button("Delete").isDisabled()).toBe(true);
+  expect(await pot.button("Delete").getAttribute("title")).toBe("What is selected is locked, and stays.");
   await pot.button("Move").click();
   await pot.page.getByText("What is selected is locked.").waitFor();
   const before = await standing(pot);
@@ -187,6 +188,19 @@ test("a locked part stays under the hand, and is neither moved nor deleted", asy
   await pot.page.locator("pasu-place-handles [data-grip=free]").waitFor();
   await dragFrom(pot, await seenPart(pot, 0), { x: 50, y: 10 });
   expect(await standing(pot)).not.toEqual(before);
+});
+
+test("of all parts none is deleted, and the button says why", async () => {
+  const pot = await scene(SCENE);
+  const title = () => pot.button("Delete").getAttribute("title");
+  expect(await title()).toBe("Delete");
+  await pot.page.getByRole("listbox", { name: "Parts" }).focus();
+  await pot.page.keyboard.press("Control+a");
+  await expect.poll(title).toBe("A design has one part at least: of all parts none is deleted.");
+  await pot.page.keyboard.press("Delete");
+  expect(await rows(pot).count()).toBe(3);
+  await row(pot, "Red").click();
+  await expect.poll(title).toBe("Delete");
 });
 
 test("what is glued to what is read and changed in a matrix", async () => {

@@ -60,6 +60,7 @@ export class PasuParts extends UnhurriedElement {
     const numberOf = (at: number) => numbers.get(objectAt(at)) ?? 1;
     const picked = selectedIds(this.designer.state);
     const loose = looseIds(this.designer.state);
+    const stays = loose.length === 0 ? parts.lockedStays : loose.length === ids.length ? parts.oneStays : undefined;
     const [selected, hidden] = [new Set(picked), new Set(session.hidden)];
     const allHidden = picked.every((id) => hidden.has(id));
     return html`<section aria-labelledby="parts">
@@ -124,7 +125,7 @@ export class PasuParts extends UnhurriedElement {
         ${this.button(parts.up, "up", place === 0, () => movePart(this.designer.state, chosen, -1))}
         ${this.button(parts.down, "down", place === ids.length - 1, () => movePart(this.designer.state, chosen, 1))}
         ${this.button(parts.duplicate, "copy", false, () => this.copy())}
-        ${this.button(parts.delete, "remove", loose.length === 0 || loose.length === ids.length, () => deleteParts(this.designer.state, loose))}
+        ${this.button(parts.delete, "remove", stays !== undefined, () => deleteParts(this.designer.state, loose), stays)}
       </div>
       <p class="problem" id="taken" role="status"></p>
       <div ?hidden=${!WHERE.includes(session.tab)}>
@@ -243,12 +244,12 @@ export class PasuParts extends UnhurriedElement {
   }
 
   /** What a button does may leave it nothing more to do: the focus stays on it, which `disabled` would take away. */
-  private button(label: string, name: IconName, disabled: boolean, change: () => Change) {
+  private button(label: string, name: IconName, disabled: boolean, change: () => Change, title = label) {
     return html`<button
       class="button bare"
       type="button"
       aria-label=${label}
-      title=${label}
+      title=${title}
       aria-disabled=${disabled ? "true" : nothing}
       @click=${() => disabled || this.designer.apply(change())}
     >
