@@ -172,6 +172,22 @@ test("why a part got its old name back is said until the next one is typed, or a
   await expect.poll(() => taken.count()).toBe(0);
 });
 
+test("a long name keeps its distance from the object behind it", async () => {
+  const { pot } = await three();
+  await pot.page.locator("pasu-parts select").selectOption({ label: "nothing" });
+  await pot.page.getByLabel("Name of the part").fill("l".repeat(60));
+  const object = pot.page.locator("pasu-parts .object").first();
+  await object.waitFor();
+  const gap = () =>
+    object.evaluate((behind) => {
+      const name = document.createRange();
+      name.selectNodeContents(behind.previousElementSibling ?? behind);
+      return behind.getBoundingClientRect().left - name.getBoundingClientRect().right;
+    });
+  await expect.poll(gap).toBeLessThan(20);
+  expect(await gap()).toBeGreaterThan(6);
+});
+
 test("a part is glued to others, or stands by itself, which the link knows and one step takes back", async () => {
   const { pot } = await three();
   const glue = pot.page.locator("pasu-parts select");

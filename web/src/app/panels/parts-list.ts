@@ -375,6 +375,9 @@ export class PasuParts extends UnhurriedElement {
         overflow-wrap: anywhere;
         cursor: pointer;
       }
+      li > :first-child {
+        padding-right: 10px;
+      }
       li[data-hidden] {
         color: var(--soft);
       }
