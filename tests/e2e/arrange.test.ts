@@ -245,6 +245,7 @@ test("a handle is set into the wall of a mug: its ends come into the clay, and i
   await push.focus();
   await pot.page.keyboard.press("Enter");
   await expect.poll(async () => (await shifts(pot))[1]?.[0]).toBeLessThan(3);
+  expect(await push.evaluate((button) => button.matches(":focus"))).toBe(true);
   expect((await shifts(pot))[1]?.[0]).toBeGreaterThan(2.6);
   expect((await shifts(pot))[1]?.slice(1)).toEqual([-0.5, 2]);
   expect(await objects(pot)).toEqual(["Object 1", "Object 1", "Object 2"]);

@@ -91,6 +91,25 @@ async function pick(pot: Visit, button: string, name: string, mimeType: string, 
   await (await chooser).setFiles({ name, mimeType, buffer: bytes });
 }
 
+test("what takes back the first line has nothing more to do then, and has the focus still", async () => {
+  const pot = await here.enter({ link: LINK, viewport: { width: 1280, height: 800 } });
+  await pot.fingerprint();
+  await open(pot);
+  for (const name of ["Take back", "Clear"]) {
+    await stroke(pot, BELLY);
+    const button = pot.button(name);
+    await button.focus();
+    await pot.page.keyboard.press("Enter");
+    await expect.poll(() => button.isDisabled()).toBe(true);
+    await pot.page.keyboard.press("Enter");
+    expect(await button.evaluate((it) => it.matches(":focus"))).toBe(true);
+    expect(await told(pot).textContent()).toContain("Nothing is drawn yet.");
+  }
+  // One step it was, however often it was pressed.
+  await pot.button("Take back").click();
+  await expect.poll(() => knots(pot).count()).toBeGreaterThan(0);
+});
+
 test("a line that is drawn by the mouse becomes a pot with a wall, as high as it is to be, in one step", {
   timeout: 240_000,
 }, async () => {

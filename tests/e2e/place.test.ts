@@ -350,6 +350,22 @@ test("a finger moves a part over the table, and beside it turns the view", async
   expect(await shifts(pot)).toEqual(moved);
 });
 
+test("what puts a part back where it was has nothing more to do then, and has the focus still", async () => {
+  const pot = await three();
+  await choose(pot, "Lid");
+  await pot.page.locator("pasu-place summary").first().click();
+  const back = pot.page.locator("pasu-place").getByRole("button", { name: "Put it back" });
+  await back.focus();
+  await pot.page.keyboard.press("Enter");
+  await expect.poll(() => back.isDisabled()).toBe(true);
+  expect((await shifts(pot))[1]).toEqual([0, 0, 0]);
+  expect(await back.evaluate((button) => button.matches(":focus"))).toBe(true);
+  // Nothing happens a second time.
+  await pot.page.keyboard.press("Enter");
+  await pot.undo();
+  await undone(pot);
+});
+
 test("on the narrowest phones the whole bar of the tool is on the screen", async () => {
   const pot = await three({ ...QUICK, ...PHONE });
   await takeParts(pot);

@@ -102,6 +102,7 @@ export class PasuDraw extends DesignerElement {
   override render() {
     const { sheet, unit, rings, tracing } = this;
     const drawn = sheet.right.length > 0;
+    const isEmpty = !drawn && tracing.isEmpty;
     return html`<pasu-dialog wide ruled heading=${words.heading} @dialog-closed=${this.close}>
       <p class="lead">${words.lead}</p>
       <div class="halves">
@@ -121,10 +122,10 @@ export class PasuDraw extends DesignerElement {
             <button class="button outlined" type="button" @click=${this.pickSvg}>${icon("paper")}<span>${words.svg}</span></button>
             <button class="button outlined" type="button" @click=${this.pickPhoto}>${icon("picture")}<span>${words.photo}</span></button>
             ${drawn ? nothing : html`<button class="button outlined" type="button" @click=${this.plain}>${icon("add")}<span>${words.points}</span></button>`}
-            <button class="button bare" type="button" aria-label=${words.back} title=${words.back} ?disabled=${this.steps.isFirst} @click=${this.back}>
+            <button class="button bare" type="button" aria-label=${words.back} title=${words.back} aria-disabled=${this.steps.isFirst ? "true" : nothing} @click=${this.back}>
               ${icon("undo")}
             </button>
-            <button class="button bare" type="button" aria-label=${words.clear} title=${words.clear} ?disabled=${!drawn && tracing.isEmpty} @click=${this.clear}>
+            <button class="button bare" type="button" aria-label=${words.clear} title=${words.clear} aria-disabled=${isEmpty ? "true" : nothing} @click=${() => isEmpty || this.clear()}>
               ${icon("remove")}
             </button>
           </div>

@@ -112,14 +112,14 @@ export class PasuArrange extends DesignerElement {
   }
 
   private push(course: Course) {
-    const none = looseIds(this.designer.state).length < 1;
+    const cannot = looseIds(this.designer.state).length < 1 || this.pushing;
     return html`<button
       class="button outlined"
       type="button"
       title=${words.onWallNote}
       data-push=${course}
-      ?disabled=${none || this.pushing}
-      @click=${() => void this.pushOnto(course)}
+      aria-disabled=${cannot ? "true" : nothing}
+      @click=${() => cannot || void this.pushOnto(course)}
     >
       ${course === "sideways" ? words.onWall : words.onWallUpright}
     </button>`;

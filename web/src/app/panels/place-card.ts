@@ -141,8 +141,8 @@ export class PasuPlace extends UnhurriedElement {
         class="button outlined"
         type="button"
         title=${words.resetNote}
-        ?disabled=${part.place === undefined}
-        @click=${() => this.designer.apply(changePlace(this.designer.state, (now) => (isLength ? { ...UNMOVED, scale: now.scale } : UNMOVED)))}
+        aria-disabled=${part.place === undefined ? "true" : nothing}
+        @click=${() => part.place && this.designer.apply(changePlace(this.designer.state, (now) => (isLength ? { ...UNMOVED, scale: now.scale } : UNMOVED)))}
       >
         ${words.reset}
       </button>
