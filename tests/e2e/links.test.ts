@@ -107,6 +107,8 @@ test.each([
   expect(await pot.field("Height").inputValue()).toBe("5");
   await pot.button("Dismiss").click();
   expect(await pot.page.getByRole("alert").count()).toBe(0);
+  // Whoever copies the address from now on has the pot that is there.
+  expect(await pot.address()).toBe("#1/second-order?height=5");
 });
 
 test("going on after a damaged link puts the message away and writes the address again", async () => {

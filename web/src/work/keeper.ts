@@ -194,6 +194,12 @@ export class Keeper {
     this.#lastWritten = this.#around.fragment();
   }
 
+  /** Does so unless the page was only opened, without a link, or the address is held. */
+  renewAddress(shown = this.#surface.shown): void {
+    const written = this.#store.canUndo || this.#store.canRedo || this.#around.fragment() !== "";
+    if (written && !this.#held()) this.writeAddress(shown);
+  }
+
   #keepSettings(session: Session): void {
     if (session === this.#keptSettings) return;
     this.#keptSettings = session;
@@ -205,7 +211,7 @@ export class Keeper {
     if (this.#surface.settled !== shown) return;
     this.#due = shown;
     const long = shown.solved.link === "" || shown.solved.link.length > LONG;
-    for (const write of [() => this.#keep(shown), () => this.#address(shown)]) {
+    for (const write of [() => this.#keep(shown), () => this.renewAddress(shown)]) {
       // Each by itself: in between a hand may move on.
       if (long) this.#around.whenIdle(() => this.#due === shown && write());
       else write();
@@ -215,11 +221,6 @@ export class Keeper {
       this.#toldTooLarge = true;
       this.sayTooLarge();
     }
-  }
-
-  #address(shown: Shown): void {
-    const written = this.#store.canUndo || this.#store.canRedo || this.#around.fragment() !== "";
-    if (written && !this.#held()) this.writeAddress(shown);
   }
 
   /** Keeps the last design that the solver accepted, so that what is restored can always be shown. */

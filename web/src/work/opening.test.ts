@@ -98,6 +98,23 @@ test("a damaged link is told of until a person goes on", async () => {
   expect(page.hash).toContain("h1=21");
 });
 
+test("once it was read why a link opens nothing, the address is that of the pot that is there", async () => {
+  const { opening, page, rests, surface } = bench(linked(new Page(), "#1/no-such-thing"));
+  await opening.start();
+  await rests();
+  expect(page.hash).toBe("#1/no-such-thing");
+  opening.dismissProblem();
+  expect(page.hash).toBe(`#${surface.settled?.solved.link}`);
+  // Of a file there is nothing in the address.
+  const other = bench();
+  await other.opening.start();
+  await other.rests();
+  await other.opening.openFile(new File(["{"], "pot.json"));
+  expect(other.opening.problem).not.toBeNull();
+  other.opening.dismissProblem();
+  expect(other.page.hash).toBe("");
+});
+
 test("another address is followed, but not the one that was written here, nor one of what is on the stage", async () => {
   const { kind, keeper, opening, page, rests, store } = bench();
   page.hash = VASE;

@@ -103,7 +103,7 @@ export class Opening {
         const { design } = this.#store;
         const changed = design !== this.#last;
         this.#last = design;
-        if (changed && untracked(() => this.#surface.shown) !== null) this.dismissProblem();
+        if (changed && untracked(() => this.#surface.shown) !== null) this.#problem.value = null;
       }),
       effect(() => {
         const read = this.#underway.value?.design;
@@ -238,7 +238,9 @@ export class Opening {
     else this.#keeper.writeAddress();
   }
 
+  /** It was read: the address is again that of the pot on the stage, and not one that opens nothing. */
   dismissProblem(): void {
     this.#problem.value = null;
+    this.#keeper.renewAddress();
   }
 }
