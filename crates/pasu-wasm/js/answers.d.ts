@@ -294,7 +294,7 @@ export interface MeshReport {
   readonly thinnest: number | null;
 }
 
-/** What the checks counted on the one solid that the parts of an object are, where they were to be [joined. */
+/** What the checks counted on the one solid that the parts of an object are, where they were to be joined (`Making::union`). */
 export interface UnionReport {
   /** The parts that it is of, in the order in which a file has them. */
   readonly parts: readonly number[];
@@ -432,7 +432,7 @@ export interface Breach {
   readonly args: PasuErrorArgs;
   /** A witness: of interference a place of one part in the other, of contact where they touch, of what is not connected a place of `part` towards the other, in model units after placement. */
   readonly at: Point | null;
-  /** How deep the witness is beneath the surface of the other at least, or how far what is not connected is away at least. */
+  /** How deep the witness is beneath the surface at least of that one of the two parts within which it lies (it may be on the surface of the other), or how far what is not connected is away at least. */
   readonly distance: number | null;
   /** Whether it rests on proved bounds alone. Bounds of the faces of walls are measured. */
   readonly isProved: boolean;

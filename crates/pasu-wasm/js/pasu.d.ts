@@ -334,8 +334,8 @@ export function derivatives(source: DesignSource, part: number, at: Float64Array
 export function fingerprint(source: DesignSource): string;
 
 /**
- * A vase in another order, with what that order can hold of it: rim, foot and height always, and of the slopes at both ends what can be prescribed. A wall of second order is the same wall in fourth
- * order, and the way back leads to the vase that one came from. Refused is free boundary data, which has no order as a whole.
+ * A vase in another order, with what that order can hold of it: rim, foot and height always, and of the slopes at both ends what can be prescribed; from second to mixed order, which prescribes one
+ * of the two, `z` leaves the rim so that it bends least on the way to a level foot. A wall of second order is the same wall in fourth order, and the way back leads to the vase that one came from. Refused is free boundary data, which has no order as a whole.
  */
 export function convert(shape: Shape, order: VaseOrder): Conversion;
 

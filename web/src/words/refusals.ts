@@ -54,7 +54,6 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
     return found && wordsOf(refusal, (words) => refusals.unknownField(isolated(found), listed(words)));
   },
   "missing-field": () => refusals.missing,
-  duplicate: ({ path }) => (/^parts\[\d+\]\.name$/.test(path) ? refusals.nameTaken : null),
   "not-finite": () => refusals.notFinite,
   "too-large": (refusal) => {
     if (refusal.args?.rows !== undefined) return refusals.tooManyPoints;

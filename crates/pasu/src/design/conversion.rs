@@ -57,7 +57,7 @@ answers! {
 crate::answer::known_as!(Loss, "Loss");
 
 impl Shape {
-    /// The vase in another order, with what that order can hold of it: rim, foot and height always, and of the slopes at both ends what can be prescribed.
+    /// The vase in another order, with what that order can hold of it: rim, foot and height always, and of the slopes at both ends what can be prescribed; from second to mixed order, which prescribes one of the two, `z` leaves the rim so that it bends least on the way to a level foot.
     ///
     /// A wall of second order, `s q'' = t k^2 q` with `k = 2 pi n`, also solves `q'''' = (t k^2 / s) q''`. So a vase of fourth order with `s = 1`, that `t`, `w = 0` and the
     /// wall's own slopes is the same wall, but for petals, force and further turns. The way back takes such a vase to the one that it came from, to ten digits.

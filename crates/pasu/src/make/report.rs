@@ -85,7 +85,7 @@ answers! {
         pub thinnest: Option<f64>,
     }
 
-    /// What the checks counted on the one solid that the parts of an object are, where they were to be [joined](crate::Making::union).
+    /// What the checks counted on the one solid that the parts of an object are, where they were to be joined (`Making::union`).
     pub struct UnionReport as "UnionReport" {
         /// The parts that it is of, in the order in which a file has them.
         pub parts: Vec<usize>,

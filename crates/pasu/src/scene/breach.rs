@@ -35,7 +35,7 @@ answers! {
         pub args: Args,
         /// A witness: of interference a place of one part in the other, of contact where they touch, of what is not connected a place of `part` towards the other, in model units after placement.
         pub at: Option<[f64; 3]>,
-        /// How deep the witness is beneath the surface of the other at least, or how far what is not connected is away at least.
+        /// How deep the witness is beneath the surface at least of that one of the two parts within which it lies (it may be on the surface of the other), or how far what is not connected is away at least.
         pub distance: Option<f64>,
         /// Whether it rests on proved bounds alone. Bounds of the faces of walls are measured.
         pub is_proved: bool,

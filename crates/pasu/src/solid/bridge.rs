@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use super::sheet::Start;
+use super::start::Start;
 
 /// Leaps of less than this part of the way from foot to rim are none.
 const LEAST: f64 = 2e-4;

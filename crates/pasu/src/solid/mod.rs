@@ -17,6 +17,7 @@ mod product;
 mod samples;
 mod sheet;
 mod skin;
+mod start;
 mod thickness;
 mod told;
 

@@ -10,6 +10,7 @@ use super::bridge::Bridge;
 use super::crease::{Crease, Foot, Shoulder};
 use super::offset::{SheetJet, offset};
 use super::skin::{Skin, SkinJet, SkinWalk};
+use super::start::Start;
 use super::thickness::{SplineRow, Thickness};
 use crate::numeric::scattered::Scatter;
 use crate::numeric::{bisection, illinois};
@@ -58,14 +59,6 @@ pub(crate) enum Trim {
     Level(f64),
     /// Outside a cylinder of this radius round the axis of the foot: the last place where the sheet leaves it.
     Cylinder(f64),
-}
-
-/// Where a column begins, or ends.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Start {
-    pub(crate) s: f64,
-    /// How that changes with `v`.
-    pub(crate) dv: f64,
 }
 
 /// One side of a wall between two corners of the profile or ends: `S(s, v)` from where its columns begin to where they end.

@@ -34,8 +34,8 @@ export const parts = phrases("parts", {
   duplicate: "Duplicate",
   delete: "Delete",
   /** Why it cannot be pressed. */
-  oneStays: "A design has one part at least: of all parts none is deleted.",
-  lockedStays: "What is selected is locked, and stays.",
+  oneStays: "One part has to stay.",
+  lockedStays: "Locked parts stay.",
   taken: "Another part has this name.",
   tooMany: (most: number) => `A design has at most ${formatNumber(most)} parts.`,
   notAdded: "It could not be drawn, so it was not added.",

@@ -74,7 +74,6 @@ export const refusals = phrases("refusals", {
   quoted: (text: string) => `“${text}”`,
   unknownField: (found: string, words: string) => `“${found}” is nothing that is known here. What is known: ${words}.`,
   missing: "It is missing.",
-  nameTaken: "Another part has the same name.",
   notFinite: "It has to be a number that can be computed with.",
   tooMany: (found: string, greatest: string) => `There are ${found}; at most ${greatest} are possible.`,
   tooManyPoints: "It has so many waves that drawing it would take more points than can be drawn.",
