@@ -3,7 +3,7 @@
 //! What a getter, a proxy or a detached array of the caller throws must not leave this module from its middle: it would look like a mistake of ours and cost the instance.
 //! So everything that can throw is imported to be caught, and what is caught is a refusal with the path of what could not be read.
 
-use js_sys::{Array, ArrayBuffer, DataView, Float64Array, Reflect};
+use js_sys::{Array, Float32Array, Float64Array, Reflect};
 use pasu::{Code, Error, Result};
 use serde::de::value::SeqDeserializer;
 use serde::de::{DeserializeSeed, Deserializer, IntoDeserializer, MapAccess, SeqAccess, Visitor};
@@ -30,7 +30,7 @@ extern "C" {
 
 /// A value to be read: lists and objects here, everything within them by `serde_wasm_bindgen`.
 ///
-/// That library takes an object apart by `Object.entries` and a list by its iterator, and catches nothing of what these throw. It reads a typed array as an object with the fields `"0"`, `"1"`, and so on.
+/// That library takes an object apart by `Object.entries` and a list by its iterator, and catches nothing of what these throw. It reads a `Float64Array` as an object with the fields `"0"`, `"1"`, and so on.
 pub(crate) struct Plain(pub(crate) JsValue);
 
 impl<'de> Deserializer<'de> for Plain {
@@ -72,7 +72,7 @@ fn no_longer_than_any(length: u32) -> Result<()> {
 
 /// The numbers of a typed array, as a copy that nobody else can take away; `None` for everything else.
 pub(crate) fn numbers(value: &JsValue) -> Result<Option<Float64Array>> {
-    if !ArrayBuffer::is_view(value) || value.is_instance_of::<DataView>() {
+    if !(value.is_instance_of::<Float64Array>() || value.is_instance_of::<Float32Array>()) {
         return Ok(None);
     }
     Ok(Some(Numbers::new(value).map_err(unreadable)?.into()))
