@@ -242,7 +242,12 @@ impl Exact {
         let even = reduced(angle);
         let turn = match unit(self.vector) {
             Some(axis) if angle.abs() > NOISE => {
-                let angle = if (angle.abs() - even.abs()).abs() <= NOISE { even } else { angle };
+                let angle = match (angle.abs() - even.abs()).abs() <= NOISE {
+                    true if as_given(even) == even => even,
+                    // These twelve digits would be read as a whole number of twenty-fourths of a turn, which it is not.
+                    true if angle == even => angle.next_up(),
+                    _ => angle,
+                };
                 Turn { axis: settled(axis), angle: below_half_turn(angle) }.oriented()
             }
             _ => Turn { axis: UPRIGHT, angle: 0.0 },

@@ -71,6 +71,11 @@ pub trait Face: Sealed + Send + Sync {
         false
     }
 
+    /// Whether all of it lies in one plane, in which it may fold over itself as a map.
+    fn is_plane(&self) -> bool {
+        false
+    }
+
     /// Whether `jet` is that of the true face to rounding. A lining that had to be thinned is interpolated, and is not.
     fn is_exact(&self) -> bool {
         true

@@ -1,5 +1,7 @@
 //! Area, volume and first moments of what faces enclose, by the divergence theorem.
 
+use core::f64::consts::TAU;
+
 use glam::DVec3;
 
 use super::accuracy::Accuracy;
@@ -17,10 +19,22 @@ pub(crate) fn element(face: &dyn Face, jet: &FaceJet) -> DVec3 {
     jet.da.cross(jet.dv) * face.outward()
 }
 
+/// What surface elements of a face add to its area: their lengths; of one that lies in a plane, where it may go back over itself, what they are to one side of that.
+fn extent(face: &dyn Face) -> impl Fn(DVec3) -> f64 + use<> {
+    /// Places round it of which the largest element is taken.
+    const PLACES: u32 = 8;
+    let at = |k| face.jet(0.5, TAU * f64::from(k) / f64::from(PLACES));
+    let elements = (0..PLACES).filter(|_| face.is_plane()).map(|k| element(face, &at(k)));
+    let largest = elements.fold(DVec3::ZERO, |most, e| if e.length() > most.length() { e } else { most });
+    let side = largest.try_normalize();
+    move |element| side.map_or_else(|| element.length(), |side| side.dot(element))
+}
+
 /// The area of one face.
 pub(crate) fn area(face: &dyn Face, accuracy: &Accuracy) -> Quantity {
-    let area = over_face(face, accuracy, |jet| [jet.da.cross(jet.dv).length()]);
-    Quantity::new(area.value[0], area.error[0])
+    let extent = extent(face);
+    let area = over_face(face, accuracy, |jet| [extent(element(face, jet))]);
+    Quantity::new(area.value[0].abs(), area.error[0])
 }
 
 /// A volume and its first moments about the origin of the design.
@@ -78,14 +92,15 @@ pub(crate) fn enclosed(faces: &[&dyn Face], accuracy: &Accuracy) -> (Vec<Quantit
     let mut total = Integral::<4>::default();
     let mut areas = Vec::with_capacity(faces.len());
     for &face in faces {
+        let extent = extent(face);
         let integral = over_face(face, accuracy, |jet| {
             let (arm, element) = (jet.position - middle, element(face, jet));
             let flux = arm.dot(element);
             let moment = arm * (0.25 * flux);
-            [flux / 3.0, moment.x, moment.y, moment.z, element.length()]
+            [flux / 3.0, moment.x, moment.y, moment.z, extent(element)]
         });
         let Integral { value, error, size } = integral;
-        areas.push(Quantity::new(value[4], error[4]));
+        areas.push(Quantity::new(value[4].abs(), error[4]));
         let first = |all: [f64; 5]| [all[0], all[1], all[2], all[3]];
         total.add(&Integral { value: first(value), error: first(error), size: first(size) });
     }
@@ -94,7 +109,7 @@ pub(crate) fn enclosed(faces: &[&dyn Face], accuracy: &Accuracy) -> (Vec<Quantit
 
 #[cfg(test)]
 mod tests {
-    use core::f64::consts::{PI, TAU};
+    use core::f64::consts::PI;
 
     use super::*;
     use crate::face::{FaceKind, Sealed};

@@ -257,6 +257,10 @@ impl Face for Piece {
         self.outward
     }
 
+    fn is_plane(&self) -> bool {
+        self.is_level
+    }
+
     fn seams(&self) -> Option<Seams> {
         match &self.form {
             Form::Sheet { sheet, .. } => {

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use pasu::{Design, Face, FaceKind, Making, Pot, Product};
+use pasu::{Design, Face, FaceKind, Making, MeasureOptions, Pot, Product};
 
 use crate::support::gallery;
 
@@ -75,4 +75,21 @@ fn from_a_bridge_the_lining_goes_straight_down_to_the_floor() {
         let (least, most) = heights.fold((f64::INFINITY, 0.0f64), |(least, most), h| (least.min(h), most.max(h)));
         assert!(least > -1e-9 && most > 1e-3, "{name}: straight down by {least} to {most}");
     }
+}
+
+/// A floor whose edge is not seen as a whole from its middle goes back over itself, and what was covered three times was counted so: 1.2 of 558, with an error of 0.03.
+#[test]
+fn a_floor_that_folds_over_itself_has_the_area_of_its_triangles() {
+    let (_, waves) = &leaping()[1];
+    let told = pasu::measure(waves, &MeasureOptions::default()).unwrap().whole.clay.unwrap().area;
+    // Chords take away as much as they are off: of three tolerances two tell where that leads to.
+    let area = |tolerance: f64| {
+        let mesh = &pasu::solid(waves, &Making { tolerance: Some(tolerance), ..Making::default() }).unwrap()[0];
+        let corner = |k: u32| glam::Vec3::from_slice(&mesh.positions[3 * k as usize..]).as_dvec3() / 10.0;
+        let triangles = mesh.indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]].map(corner));
+        triangles.map(|[a, b, c]| 0.5 * (b - a).cross(c - a).length()).sum::<f64>()
+    };
+    let (coarse, fine) = (area(0.01), area(0.004));
+    let met = fine + (fine - coarse) * 0.004 / (0.01 - 0.004);
+    assert!((told.value - met).abs() < 0.1, "{told:?} {met}");
 }
