@@ -1,8 +1,6 @@
 // Handles on the stage stand where a hand can take hold of them: beside what lies over it.
 
 import { expect, test } from "vitest";
-import { designOf } from "../../web/src/document/gallery/exhibit.ts";
-import { SHELVES } from "../../web/src/document/gallery.ts";
 import { grip, handling, standing, takeParts } from "../support/placing.ts";
 import { dragFrom, spotOf } from "../support/pulling.ts";
 import { atRest } from "../support/sight.ts";
@@ -11,12 +9,12 @@ import { PHONE, QUICK, type Visit, type VisitOptions } from "../support/visit.ts
 
 const here = stay();
 
+/** As a person opens it: no part is chosen yet, and the first has the handles. */
 async function opened(id: string, options: VisitOptions): Promise<Visit> {
-  const exhibit = SHELVES.flatMap(({ exhibits }) => exhibits).find((each) => each.id === id);
-  if (!exhibit) throw new Error(`no exhibit ${id}`);
   const pot = await here.enter({ ...QUICK, ...options });
   const first = await pot.fingerprint();
-  await pot.dropFile(`${id}.json`, JSON.stringify(designOf(exhibit)));
+  await pot.command("Gallery");
+  await pot.page.locator(`pasu-gallery button[data-exhibit="${id}"]`).click();
   await pot.fingerprintOtherThan(first);
   return pot;
 }

@@ -5,6 +5,7 @@ import { customElement } from "lit/decorators.js";
 import { DesignerElement } from "../element/designer-element";
 import { MAX_TITLE, setTheme, setTitle } from "../state/actions";
 import { THEMES, type ThemeChoice } from "../state/session";
+import { iconButton } from "../ui/icon-button";
 import { type IconName, icon } from "../ui/icons";
 import { type BarCommand, CommandEvent } from "./command";
 import "../ui/menu";
@@ -59,8 +60,8 @@ export class PasuTopBar extends DesignerElement {
         ${keeper.unsaved ? html`<span class="unsaved" title=${page.editedMeans}>${page.edited}</span>` : nothing}
       </div>
       <div class="history">
-        ${this.plain(page.undo, "undo", page.undoKey, !store.canUndo, () => designer.store.undo())}
-        ${this.plain(page.redo, "redo", page.redoKey, !store.canRedo, () => designer.store.redo())}
+        ${iconButton("undo", page.undo, page.undoKey, !store.canUndo, () => designer.store.undo())}
+        ${iconButton("redo", page.redo, page.redoKey, !store.canRedo, () => designer.store.redo())}
       </div>
       <div class="wide files">
         ${FILES.map((command) => this.item(command))}
@@ -95,28 +96,14 @@ export class PasuTopBar extends DesignerElement {
 
   private bare(command: BarCommand) {
     const label = page.commands[command];
-    return this.plain(label, ICONS[command], label, false, () => this.ask(command));
-  }
-
-  /** What cannot be done now keeps the focus all the same: undo goes on with the next press of a key, or redo takes over. */
-  private plain(label: string, name: IconName, title: string, disabled: boolean, act: () => void) {
-    return html`<button
-      class="button bare"
-      type="button"
-      aria-label=${label}
-      title=${title}
-      aria-disabled=${disabled ? "true" : nothing}
-      @click=${() => disabled || act()}
-    >
-      ${icon(name)}
-    </button>`;
+    return iconButton(ICONS[command], label, label, false, () => this.ask(command));
   }
 
   private theme(bare: boolean) {
     const now = this.designer.store.session.theme;
     const next = THEMES[(THEMES.indexOf(now) + 1) % THEMES.length] ?? "auto";
     const act = () => this.designer.apply(setTheme(next));
-    if (bare) return this.plain(page.themes[now], THEME_ICONS[now], page.pressToChange(page.themes[now]), false, act);
+    if (bare) return iconButton(THEME_ICONS[now], page.themes[now], page.pressToChange(page.themes[now]), false, act);
     return html`<button class="button item" type="button" @click=${act}>
       ${icon(THEME_ICONS[now])}<span>${page.themes[now]}</span>
     </button>`;

@@ -71,8 +71,22 @@ pub trait Face: Sealed + Send + Sync {
         false
     }
 
-    /// Whether all of it lies in one plane, in which it may fold over itself as a map.
-    fn is_plane(&self) -> bool {
+    /// Whether the whole face lies in one plane across the axis of the pot, in which it may fold over itself as a map.
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// use pasu::{Face, FaceKind, Pot, Product};
+    ///
+    /// let pot = Pot::new(&cup, 0, Product::Pot)?;
+    /// let floor = pot.faces().iter().find(|face| face.kind() == FaceKind::Floor).expect("a floor");
+    /// assert!(floor.is_level());
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
+    fn is_level(&self) -> bool {
         false
     }
 

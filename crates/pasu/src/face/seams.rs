@@ -1,6 +1,6 @@
 //! Lines along which the derivatives of a face jump: the knots of a thickness that had to be interpolated, or of the surface itself.
 
-use core::f64::consts::TAU;
+use crate::numeric::turn;
 
 /// The lines along which the derivatives of a face jump, in the coordinates `(s, v)` of [`Face::straight`](super::Face::straight), in which they are straight: `s` between two of `along` and `v`
 /// between two of `round` the face is smooth.
@@ -37,7 +37,7 @@ impl Seams {
 /// Ascending values of `v` within one turn, without those that follow within rounding.
 pub(crate) fn ascending(mut places: Vec<f64>) -> Vec<f64> {
     const APART: f64 = 1e-9;
-    places.iter_mut().for_each(|v| *v -= TAU * libm::floor(*v / TAU));
+    places.iter_mut().for_each(|v| *v = turn::within(*v));
     places.sort_by(f64::total_cmp);
     places.dedup_by(|next, kept| *next - *kept < APART);
     places

@@ -68,6 +68,7 @@ mod tests {
     use super::*;
     use crate::check;
     use crate::design::Design;
+    use crate::face::Face;
 
     const GALLERY: &str = include_str!("../../tests/reference/gallery.json");
 
@@ -119,8 +120,7 @@ mod tests {
                 let topology = check::closed(triangles, corners.len());
                 assert!(topology.is_ok(), "{name} {fineness}: does not close at {:?}", topology.err());
                 // Level faces are cut from an outline without overlaps and so are seen side by side.
-                let is_level =
-                    |kind| pot.faces().iter().any(|face| crate::face::Face::kind(face) == kind && face.is_level());
+                let is_level = |kind| pot.faces().iter().any(|face| face.kind() == kind && face.is_level());
                 let group = |triangle: u32| {
                     let of = |&(_, first, count): &(_, u32, u32)| (first..first + count).contains(&(3 * triangle));
                     mesh.faces.iter().position(of).filter(|face| is_level(mesh.faces[*face].0)).map(|face| face as u32)

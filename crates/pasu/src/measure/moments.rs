@@ -24,7 +24,7 @@ fn extent(face: &dyn Face) -> impl Fn(DVec3) -> f64 + use<> {
     /// Places round it of which the largest element is taken.
     const PLACES: u32 = 8;
     let at = |k| face.jet(0.5, TAU * f64::from(k) / f64::from(PLACES));
-    let elements = (0..PLACES).filter(|_| face.is_plane()).map(|k| element(face, &at(k)));
+    let elements = (0..PLACES).filter(|_| face.is_level()).map(|k| element(face, &at(k)));
     let largest = elements.fold(DVec3::ZERO, |most, e| if e.length() > most.length() { e } else { most });
     let side = largest.try_normalize();
     move |element| side.map_or_else(|| element.length(), |side| side.dot(element))

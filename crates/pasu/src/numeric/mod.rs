@@ -28,3 +28,4 @@ pub(crate) mod taylor;
 pub(crate) mod trapezoid;
 pub(crate) mod triangle;
 pub(crate) mod tridiagonal;
+pub(crate) mod turn;

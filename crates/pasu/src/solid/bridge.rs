@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 
 use super::start::Start;
+use crate::numeric::turn;
 
 /// Leaps of less than this part of the way from foot to rim are none.
 const LEAST: f64 = 2e-4;
@@ -59,11 +60,11 @@ impl Bridge {
             };
             let places = (0..=PLACES).map(|i| above * i as f64 / PLACES as f64);
             let (end, top) = places.fold((0.0, high.1.s), |best, way| {
-                let s = start(within(high.0 + sign * way)).s;
+                let s = start(turn::within(high.0 + sign * way)).s;
                 if s > best.1 { (way, s) } else { best }
             });
             let from = low.0 - sign * below;
-            Bridge { from: within(from), leap: sign * below, end: high.0 - from + sign * end, top }
+            Bridge { from: turn::within(from), leap: sign * below, end: high.0 - from + sign * end, top }
         };
         (0..n).map(over).collect()
     }
@@ -71,7 +72,7 @@ impl Bridge {
     /// Where the column at `v` begins in place of where it would.
     pub(super) fn lead(&self, v: f64, start: Start) -> Option<Start> {
         let sign = self.end.signum();
-        let way = within(sign * (v - self.from));
+        let way = turn::within(sign * (v - self.from));
         let [leap, end] = [self.leap, self.end].map(f64::abs);
         if way >= end {
             return None;
@@ -100,7 +101,7 @@ fn look_into(
         return;
     }
     let v = 0.5 * (left.0 + right.0);
-    let middle = (v, start(within(v)));
+    let middle = (v, start(turn::within(v)));
     let is_left = surprise(left, middle) > surprise(middle, right);
     if depth < BOTH || is_left {
         look_into(left, middle, depth + 1, start, leaps);
@@ -113,9 +114,4 @@ fn look_into(
 /// By how much what is at one place differs from what the slopes at it and at the other let expect.
 fn surprise((a, from): (f64, Start), (b, to): (f64, Start)) -> f64 {
     (to.s - from.s - 0.5 * (b - a) * (from.dv + to.dv)).abs()
-}
-
-/// The same place in the first turn.
-fn within(v: f64) -> f64 {
-    v - TAU * libm::floor(v / TAU)
 }

@@ -211,25 +211,6 @@ impl Piece {
     pub(crate) fn is_straight(&self) -> bool {
         matches!(self.form, Form::Ruled { .. })
     }
-
-    /// Whether the whole face lies in one plane across the axis of the pot.
-    ///
-    /// ```
-    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
-    /// # let cup = pasu::Design::parse(
-    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
-    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
-    /// # )?;
-    /// use pasu::{Face, FaceKind, Pot, Product};
-    ///
-    /// let pot = Pot::new(&cup, 0, Product::Pot)?;
-    /// let floor = pot.faces().iter().find(|face| face.kind() == FaceKind::Floor).expect("a floor");
-    /// assert!(floor.is_level());
-    /// # Ok::<(), pasu::Error>(())
-    /// ```
-    pub fn is_level(&self) -> bool {
-        self.is_level
-    }
 }
 
 impl Sealed for Piece {}
@@ -257,7 +238,7 @@ impl Face for Piece {
         self.outward
     }
 
-    fn is_plane(&self) -> bool {
+    fn is_level(&self) -> bool {
         self.is_level
     }
 

@@ -25,6 +25,7 @@ import { alsoSelect, selectedIds, selectParts, togglePart } from "../../state/se
 import type { Tab } from "../../state/session";
 import { hideParts, lockParts, looseIds, selectThrough } from "../../state/several-actions";
 import type { Change } from "../../state/store";
+import { iconButton } from "../../ui/icon-button";
 import { type IconName, icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
 import { parts } from "../../words/english/parts";
@@ -243,18 +244,8 @@ export class PasuParts extends UnhurriedElement {
     return html`<span class="eye" title=${hidden ? parts.show : parts.hide} @click=${press}>${icon(hidden ? "hidden" : "seen")}</span>`;
   }
 
-  /** What a button does may leave it nothing more to do: the focus stays on it, which `disabled` would take away. */
   private button(label: string, name: IconName, disabled: boolean, change: () => Change, title = label) {
-    return html`<button
-      class="button bare"
-      type="button"
-      aria-label=${label}
-      title=${title}
-      aria-disabled=${disabled ? "true" : nothing}
-      @click=${() => disabled || this.designer.apply(change())}
-    >
-      ${icon(name)}
-    </button>`;
+    return iconButton(name, label, title, disabled, () => this.designer.apply(change()));
   }
 
   /** Beside everything that stands there, so that the copy is seen. */
