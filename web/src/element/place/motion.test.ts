@@ -28,7 +28,19 @@ function hold(grip: Grip, from: Triple = PIVOT, seen = see): Hold {
     [3, { ...UNMOVED, shift: [5, 0, 0] as Triple }],
     [7, { ...UNMOVED, shift: [2.2, 1, 0] as Triple }],
   ]);
-  return { grip, see: seen, spot, pivot: PIVOT, reach: 4, along: [0, 0, 1], low: 0.8, table: 0, step: 0.5, places };
+  return {
+    grip,
+    see: seen,
+    spot,
+    pivot: PIVOT,
+    reach: 4,
+    isBehind: false,
+    along: [0, 0, 1],
+    low: 0.8,
+    table: 0,
+    step: 0.5,
+    places,
+  };
 }
 
 const between = (from: Triple, to: Triple, seen = see) => {
@@ -103,6 +115,10 @@ test("scaling keeps the foot where it is, and never turns a part inside out", ()
   const along = hold({ kind: "scale", axis: 2 });
   expect(motionOf(along, between(PIVOT, [2, 1, 7]), null)).toEqual({ kind: "scale", axis: 2, factor: 2 });
   expect(motionOf(along, between(PIVOT, [2, 1, -1]), null)).toEqual({ kind: "scale", axis: 2, factor: 0.5 });
+  // Away from the middle it grows, on whichever side the handle stands.
+  const behind = { ...along, isBehind: true };
+  expect(motionOf(behind, between(PIVOT, [2, 1, -1]), null)).toEqual({ kind: "scale", axis: 2, factor: 2 });
+  expect(motionOf(behind, between(PIVOT, [2, 1, 7]), null)).toEqual({ kind: "scale", axis: 2, factor: 0.5 });
   const far = motionOf(along, { x: 0, y: 5000 }, null);
   expect(far === null || (far.kind === "scale" && far.factor > 0)).toBe(true);
   expect(placesAfter(along, { kind: "scale", axis: null, factor: 2 }).get(7)).toEqual({

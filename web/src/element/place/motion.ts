@@ -31,6 +31,8 @@ export interface Hold extends Held {
   readonly spot: Spot;
   /** How far from the middle handles stand. */
   readonly reach: number;
+  /** Whether this one stands on the other side, away from where it makes things grow. */
+  readonly isBehind: boolean;
   /** The own axis along which it is scaled. */
   readonly along: Triple | null;
 }
@@ -169,12 +171,13 @@ function angleOf(hold: Hold, axis: Axis, by: Spot): number | null {
 
 /** Twice as large where the handle is twice as far away, half where a hand went so far the other way: never nothing, and never turned inside out. */
 function scaling(hold: Hold, axis: Axis | null, by: Spot, steps: Steps | null): Motion | null {
-  const { see, pivot, reach, along } = hold;
-  const far =
+  const { see, pivot, reach, along, isBehind } = hold;
+  const ahead =
     axis === null
       ? ((by.x - by.y) * Math.SQRT1_2 * reach) / across(see, pivot, reach)
       : along && alongLine(see, pivot, along, reach, seenAt(hold, by));
-  if (far === null) return null;
+  if (ahead === null) return null;
+  const far = isBehind ? -ahead : ahead;
   const raw = far >= 0 ? 1 + far / reach : 1 / (1 - far / reach);
   const step = (steps ?? FINE).factor;
   return { kind: "scale", axis, factor: Math.max(step, roundTo(raw, step)) };

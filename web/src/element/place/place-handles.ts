@@ -30,7 +30,7 @@ const LEAST_REACH = 70;
 const MOST_REACH = 0.34;
 /** They stand a little outside what they move. */
 const OUTSIDE = 0.62;
-/** Handles that something lies over are drawn in, in such steps, to this share of how far they stand. */
+/** Handles that something lies over are drawn in, in such steps, to this share of how far they stand, and then tried on the other side. */
 const DRAWN_IN = 0.05;
 const NEAREST = 0.3;
 /** Angles (in degrees) and factors where a hand goes in steps. */
@@ -192,13 +192,18 @@ export class PasuPlaceHandles extends DesignerElement {
     return Math.min(wanted, Math.max(LEAST_REACH, MOST_REACH * Math.min(width, height))) / pixels;
   }
 
-  /** How far a handle stands from the middle so that nothing lies over it; as far as the others where that is nowhere so. */
+  /** How far a handle stands from the middle so that nothing lies over it, less than 0 on the other side; as far as the others where that is nowhere so. */
   private drawnIn(see: See, pivot: Triple, reach: number, grip: Grip): number {
     const cover = this.stage?.cover;
+    const { hold } = this;
+    // What is held stays in the hand.
+    if (hold && nameOf(hold.grip) === nameOf(grip)) return hold.isBehind ? -hold.reach : hold.reach;
     if (!cover || grip.kind === "free" || grip.kind === "turn") return reach;
-    for (let share = 1; share >= NEAREST; share -= DRAWN_IN) {
-      const spot = this.atEnd(see, pivot, share * reach, grip);
-      if (spot && isClear(spot, cover)) return share * reach;
+    for (const side of [reach, -reach]) {
+      for (let share = 1; share >= NEAREST; share -= DRAWN_IN) {
+        const spot = this.atEnd(see, pivot, share * side, grip);
+        if (spot && isClear(spot, cover)) return share * side;
+      }
     }
     return reach;
   }
@@ -209,11 +214,13 @@ export class PasuPlaceHandles extends DesignerElement {
     const loose = looseIds(this.designer.state);
     if (!manner || !see || loose.length === 0) return false;
     this.outer = this.reachOf(see, manner);
+    const stands = this.drawnIn(see, manner.pivot, this.outer, grip);
     this.hold = {
       ...heldBy(this.designer.state, manner, loose),
       grip,
       see,
-      reach: this.drawnIn(see, manner.pivot, this.outer, grip),
+      reach: Math.abs(stands),
+      isBehind: stands < 0,
       spot: spot ?? see(manner.pivot) ?? { x: 0, y: 0 },
       along: grip.kind === "scale" && grip.axis !== null ? this.ownAxis(grip.axis) : null,
     };
@@ -386,7 +393,7 @@ export class PasuPlaceHandles extends DesignerElement {
     return spot;
   }
 
-  /** Where the end of a line so long is seen along which something is moved or scaled. */
+  /** Where the end of a line so long is seen along which something is moved or scaled; with less than 0, on the other side. */
   private atEnd(see: See, pivot: Triple, reach: number, grip: Grip): Spot | null {
     if (grip.kind === "free" || grip.kind === "turn") return null;
     if (grip.axis !== null) {
@@ -394,7 +401,7 @@ export class PasuPlaceHandles extends DesignerElement {
       return see(sum(pivot, scaledBy(reach, way)));
     }
     const middle = see(pivot);
-    const far = Math.SQRT1_2 * across(see, pivot, reach);
+    const far = Math.SQRT1_2 * Math.sign(reach) * across(see, pivot, Math.abs(reach));
     return middle && { x: middle.x + far, y: middle.y - far };
   }
 
