@@ -324,7 +324,7 @@ export interface Pulled {
 export interface Ringed {
   /** The design. */
   readonly design: Design;
-  /** How far it is from what it stands for: the largest distance that was found between both. An estimate: it is looked for at samples. */
+  /** How far it is from what it stands for, at most. Of a drawn line a bound, both ways; of a part the largest distance that was found, where it stands: an estimate, since it is looked for at samples. */
   readonly distance: number;
 }
 

@@ -380,7 +380,7 @@ export interface FitOptions {
 }
 
 /**
- * The design with a part as a pot of `rings`, no further from what it was than a tolerance, as far as can be seen on a grid. Radius and height are read off by the angle round the axis: sections have to go
+ * The design with a part as a pot of `rings`, no further from what it was than a tolerance where it stands, as far as can be seen on a grid. Radius and height are read off by the angle round the axis: sections have to go
  * round it once without turning back. Wall, placement and look stay; a pot of rings stays as it is.
  */
 export function free(source: DesignSource, part: number, options: FitOptions): Ringed;
@@ -394,7 +394,7 @@ export interface Profile {
 }
 
 /**
- * A pot of `rings` with a drawn profile: fitted by least squares, with as few rings as were found to be enough for the tolerance, sharp where the line turns by more than 35 degrees. The lower end of the line is the foot. With a
+ * A pot of `rings` with a drawn profile, no place of either further from the other than a tolerance: fitted by least squares, with as few rings as were found to be enough for the tolerance, sharp where the line turns by more than 35 degrees. The lower end of the line is the foot. With a
  * left side of its own each ring has one wave of radius and height.
  */
 export function fit(profile: Profile, options: FitOptions): Ringed;

@@ -123,7 +123,8 @@ pub(crate) fn one_of<T: Copy>(value: &JsValue, path: &str, all: &[T], name: fn(T
     let text: String = source::argument(value, path)?;
     all.iter().copied().find(|one| name(*one) == text).ok_or_else(|| {
         let names: Vec<&str> = all.iter().map(|one| name(*one)).collect();
-        Error::new(Code::UnknownName, path, format!("expected {}, found {text:?}", names.join(", ")))
+        let message = format!("expected {}, found {text:?}", names.join(", "));
+        Error::new(Code::UnknownName, path, message).with("words", names.as_slice()).with("found", text.as_str())
     })
 }
 

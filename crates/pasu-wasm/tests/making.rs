@@ -406,6 +406,14 @@ fn expect<T: std::fmt::Debug>(outcome: Result<T, impl Into<JsValue>>, code: &str
     let text = |key: &str| at(&error, key).as_string().unwrap_or_default();
     assert_eq!((text("name").as_str(), text("code").as_str(), text("path").as_str()), ("PasuError", code, path));
     assert!(text("message").len() > 10, "a message for a person, found {:?}", text("message"));
+    if code == "unknown-name" {
+        let words = at(&error, "args.words");
+        assert!(
+            Array::is_array(&words) && Array::from(&words).length() > 1,
+            "the words that are known, found {words:?}"
+        );
+        assert!(at(&error, "args.found").is_string(), "the word that is not");
+    }
 }
 
 /// A value at a path such as `parts.0.name`.

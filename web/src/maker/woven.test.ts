@@ -1,8 +1,9 @@
+import { evaluate } from "pasu";
 import { expect, test } from "vitest";
 import { realMaker } from "../../testing/real-maker";
 import { edgesOf, faultOf, isFree } from "../document/network/network";
 import { spanOf } from "../document/network/span";
-import type { Design, Shape } from "../document/types";
+import type { Design, Sent, Shape } from "../document/types";
 
 const { maker } = realMaker({ free: true });
 const CYLINDER: Shape = { kind: "second-order", r: [3, 0, 3, 0], height: 8 };
@@ -30,4 +31,25 @@ test("a form with petals becomes a network too", async () => {
   // Eight petals take four patches each.
   expect([found.columns, found.shape.patches.length, faultOf(found.shape)]).toEqual([32, 192, null]);
   expect(found.distance).toBeLessThan(0.2);
+});
+
+test("it is looked at along the edges of patches too", async () => {
+  const { shape, distance } = await woven(CYLINDER, 10, 6);
+  const steps = Array.from({ length: 31 }, (_, step) => step / 30);
+  const [form, network] = [
+    evaluate(
+      { pasu: 1, parts: [{ shape: CYLINDER }] } as unknown as Sent,
+      0,
+      steps.flatMap((u) => [0, (spanOf(CYLINDER) / 6) * u]),
+    ),
+    evaluate(
+      { pasu: 1, parts: [{ shape }] } as unknown as Sent,
+      0,
+      steps.flatMap((u) => [0, u, 0]),
+    ),
+  ];
+  const off = steps.map((_, at) =>
+    Math.hypot(...[0, 1, 2].map((axis) => (form[3 * at + axis] ?? 0) - (network[3 * at + axis] ?? 0))),
+  );
+  expect(distance).toBeGreaterThan(0.98 * Math.max(...off));
 });

@@ -4,6 +4,7 @@ import type { Extents } from "../document/extents";
 import type { Facts } from "../document/facts";
 import type { Unit } from "../document/types";
 import { listed } from "../language";
+import { boundWords } from "./bound";
 import { description } from "./english/description";
 import { spokenLength } from "./quantities";
 
@@ -38,11 +39,9 @@ export function describeBodies(parts: number, unit: Unit, { height, greatest }: 
   return parts > 1 ? description.parts(parts, high, wide) : description.body(high, wide);
 }
 
-/** How far the picture's triangles may be from the surface, in words; rounded up, because it is a promise. */
+/** How far the picture's triangles may be from the surface, in words. */
 export function describeAccuracy(bound: number, unit: Unit): string {
-  const place = 10 ** (Math.floor(Math.log10(bound)) - 1);
-  const promised = bound > 0 ? Math.ceil(bound / place) * place : 0;
-  return description.accuracy(spokenLength(promised, unit, 2));
+  return description.accuracy(boundWords(bound, unit));
 }
 
 function formOf(shape: Facts, across: number): keyof typeof description.forms {

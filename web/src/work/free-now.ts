@@ -2,15 +2,12 @@
 
 import { sizeOf } from "../document/extents";
 import { unitOf } from "../document/look";
+import { boundWords } from "../words/bound";
 import { freeing } from "../words/english/freeing";
 import { page } from "../words/english/page";
 import { cannotWords } from "../words/freeing";
-import { spokenLength } from "../words/quantities";
 import type { Designer } from "./designer";
 import { finenessOf, freed, takeFreed } from "./freeing";
-
-/** Lengths that say how far off: more digits are of no use. */
-const DIGITS = 2;
 
 /** What became of it, in words. */
 export async function freeNow(designer: Designer): Promise<{ readonly done: string } | { readonly cannot: string }> {
@@ -22,5 +19,5 @@ export async function freeNow(designer: Designer): Promise<{ readonly done: stri
   if (found.state === "refused") return { cannot: cannotWords(found.refusal, unit) };
   if (found.state === "superseded" || !takeFreed(store, found.value)) return { cannot: freeing.changed };
   const { shape, distance } = found.value;
-  return { done: freeing.done(shape.rings.length, spokenLength(distance, unit, DIGITS)) };
+  return { done: freeing.done(shape.rings.length, boundWords(distance, unit)) };
 }

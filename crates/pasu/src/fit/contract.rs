@@ -9,7 +9,7 @@ answers! {
     pub struct Ringed as "Ringed" {
         /// The design.
         pub design: Design,
-        /// How far it is from what it stands for: the largest distance that was found between both. An estimate: it is looked for at samples.
+        /// How far it is from what it stands for, at most. Of a drawn line a bound, both ways; of a part the largest distance that was found, where it stands: an estimate, since it is looked for at samples.
         pub distance: f64,
     }
 }

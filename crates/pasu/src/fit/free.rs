@@ -30,13 +30,17 @@ const MOST_WAVES: usize = 256;
 /// Samples round the axis for each wave that is looked for.
 const SAMPLES: usize = 4;
 
-/// Where between two rings both surfaces are held against each other; on the first of them too.
-const ROWS: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
+/// At how many places from one ring to the next both surfaces are held against each other, the first of them among these: while rings are looked for, and before they are told.
+const ROWS: usize = 4;
+const FINE_ROWS: usize = 16;
+
+/// Between so many places it may be further off than at them by this part.
+const UNSEEN_BETWEEN: f64 = 0.01;
 
 /// Where it is off by less than this part of the most, a ring elsewhere helps more.
 const WORTH: f64 = 1.0 / 16.0;
 
-/// The design with part `part` as a pot of `rings`, no further from what it was than a tolerance in the unit of the design, as far as can be seen on a grid.
+/// The design with part `part` as a pot of `rings`, no further from what it was than a tolerance in the unit of the design, where it stands, as far as can be seen on a grid.
 ///
 /// Radius and height are read off by the angle round the axis, so that a pot can be freed whose sections go round the axis once without turning back. Rings are put where the surface is furthest off between two of them, until
 /// nowhere it is further than the tolerance; the smoothing parameter stays that of a dint vase, and is 1 otherwise. Wall, placement and look stay. A pot of rings stays as it is.
@@ -71,10 +75,13 @@ pub fn free(design: &Design, part: usize, tolerance: f64) -> Result<Ringed> {
         return Err(unable("open", "the surface does not close round the axis"));
     }
     let sections = Sections::of(surface);
-    if tolerance < FINEST * sections.size() {
-        return Err(too_fine(tolerance, FINEST * sections.size()));
+    let matrix = placed.matrix();
+    let stretch = [matrix.x_axis, matrix.y_axis, matrix.z_axis].into_iter().map(DVec3::length).fold(0.0, f64::max);
+    let finest = FINEST * sections.size() * stretch;
+    if tolerance < finest {
+        return Err(too_fine(tolerance, finest));
     }
-    let found = Search::of(&sections, a, tolerance).run()?;
+    let found = Search::of(&sections, a, tolerance, stretch).run()?;
     let (rings, distance) = found
         .ok_or_else(|| unable("turns-back", "not every section goes round the axis once, without turning back"))?;
     Ok(Ringed { design: design.with_shape(part, Shape::Rings(rings))?, distance })
@@ -84,7 +91,10 @@ pub fn free(design: &Design, part: usize, tolerance: f64) -> Result<Ringed> {
 struct Search<'a> {
     sections: &'a Sections<'a>,
     a: f64,
+    /// Where the part stands.
     tolerance: f64,
+    /// How much longer anything may be there than it is in the shape.
+    stretch: f64,
     waves: usize,
     /// From 0 to 1, each with whether it is a corner.
     places: Vec<(f64, bool)>,
@@ -92,7 +102,7 @@ struct Search<'a> {
     known: Vec<(f64, Rc<Section<'a>>)>,
 }
 
-/// How far rings are from the surface that they are to be.
+/// How far rings are from the surface that they are to be, where the part stands.
 struct Off {
     /// On the rings themselves: what their waves leave out.
     on: f64,
@@ -100,20 +110,37 @@ struct Off {
     between: Vec<f64>,
 }
 
+impl Off {
+    fn distance(&self) -> f64 {
+        self.between.iter().fold(self.on, |most, off| most.max(*off))
+    }
+
+    fn widened(mut self, factor: f64) -> Off {
+        self.between.iter_mut().for_each(|off| *off *= factor);
+        self
+    }
+}
+
 impl<'a> Search<'a> {
-    fn of(sections: &'a Sections<'a>, a: f64, tolerance: f64) -> Search<'a> {
+    fn of(sections: &'a Sections<'a>, a: f64, tolerance: f64, stretch: f64) -> Search<'a> {
         let waves = (2.0 * sections.waves()).clamp(FIRST_WAVES as f64, MOST_WAVES as f64) as usize;
         let corners = sections.stops().into_iter().filter(|(_, is_corner)| *is_corner);
         let places = core::iter::once((0.0, false)).chain(corners).chain([(1.0, false)]).collect();
-        Search { sections, a, tolerance, waves, places, known: Vec::new() }
+        Search { sections, a, tolerance, stretch, waves, places, known: Vec::new() }
     }
 
     fn run(mut self) -> Result<Option<(Rings, f64)>> {
         loop {
             let Some(rings) = self.rings() else { return Ok(None) };
             let fitted = Surface::solve(&rings.boundary_value(), "")?;
-            let Some(off) = self.off(&fitted) else { return Ok(None) };
-            let distance = off.between.iter().fold(off.on, |most, off| most.max(*off));
+            let Some(mut off) = self.off(&fitted, ROWS) else { return Ok(None) };
+            if off.distance() <= self.tolerance {
+                match self.off(&fitted, FINE_ROWS) {
+                    Some(finer) => off = finer.widened(1.0 + UNSEEN_BETWEEN),
+                    None => return Ok(None),
+                }
+            }
+            let distance = off.distance();
             if distance <= self.tolerance {
                 return Ok(Some((rings, distance)));
             }
@@ -155,10 +182,11 @@ impl<'a> Search<'a> {
     }
 
     fn series(&self, samples: &[Sample], of: [fn(&Sample) -> f64; 2], seen: impl Fn(f64) -> f64 + Copy) -> [Series; 2] {
+        let tolerance = self.tolerance / self.stretch;
         of.map(|of| {
             let numbers: Vec<f64> = samples.iter().map(of).collect();
-            let mut series = series(&numbers, self.waves, UNSEEN * self.tolerance, seen);
-            let unit = decimal(ROUNDED * self.tolerance / (1 + series.waves.len()) as f64);
+            let mut series = series(&numbers, self.waves, UNSEEN * tolerance, seen);
+            let unit = decimal(ROUNDED * tolerance / (1 + series.waves.len()) as f64);
             let waves = series.waves.iter_mut().flat_map(|wave| [&mut wave.cos, &mut wave.sin]);
             for number in core::iter::once(&mut series.mean).chain(waves) {
                 *number = to_multiple(*number, unit);
@@ -179,7 +207,7 @@ impl<'a> Search<'a> {
     }
 
     /// How far rings are from the sections, at the same place along the profile and the same angle: no less than the distance between both surfaces, at these points. Nothing where a section cannot be read.
-    fn off(&mut self, fitted: &Surface) -> Option<Off> {
+    fn off(&mut self, fitted: &Surface, rows: usize) -> Option<Off> {
         let n = SAMPLES * self.waves;
         // In between the angles at which the waves are read.
         let halfway: Vec<f64> = (0..n).map(|i| (i as f64 + 0.5) / n as f64).collect();
@@ -189,9 +217,9 @@ impl<'a> Search<'a> {
         for pair in places.windows(2) {
             let [from, to] = [pair[0].0, pair[1].0];
             let mut most = 0.0f64;
-            for part in ROWS {
-                let off = self.off_at(from + (to - from) * part, fitted, &columns, n)?;
-                if part == 0.0 {
+            for row in 0..rows {
+                let off = self.off_at(from + (to - from) * (row as f64 / rows as f64), fitted, &columns, n)?;
+                if row == 0 {
                     on = on.max(off);
                 } else {
                     most = most.max(off);
@@ -210,7 +238,7 @@ impl<'a> Search<'a> {
             let there = section.sample(libm::atan2(y, x));
             libm::hypot(libm::hypot(x, y) - there.r, z - there.z)
         };
-        Some((0..n).map(off).fold(0.0, f64::max))
+        Some((0..n).map(off).fold(0.0, f64::max) * self.stretch)
     }
 
     fn refine(&mut self, between: &[f64], distance: f64) {

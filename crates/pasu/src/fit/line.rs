@@ -17,6 +17,13 @@ pub(super) struct Line {
     length: f64,
 }
 
+/// The piece of a line that is nearest to a point.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Nearest {
+    pub(super) piece: usize,
+    pub(super) distance: f64,
+}
+
 impl Line {
     /// From its points in order; nothing where it has no length.
     pub(super) fn of(points: impl IntoIterator<Item = DVec2>) -> Option<Line> {
@@ -48,19 +55,35 @@ impl Line {
         self.points[next - 1].lerp(self.points[next], ((along - from) / (to - from)).clamp(0.0, 1.0))
     }
 
-    /// How far away from it a point is, of which it is known to be no further away than `most`.
+    /// The points of it from one place to another, both among them.
+    pub(super) fn between(&self, from: f64, to: f64) -> Vec<DVec2> {
+        let first = self.along.partition_point(|along| *along <= from);
+        let end = self.along.partition_point(|along| *along < to).max(first);
+        let inner = self.points[first..end].iter().copied();
+        core::iter::once(self.at(from)).chain(inner).chain([self.at(to)]).collect()
+    }
+
+    /// How far a point is from one of its pieces.
+    pub(super) fn distance_of(&self, piece: usize, point: DVec2) -> f64 {
+        let (from, to) = (self.points[piece], self.points[piece + 1]);
+        let way = to - from;
+        let part = ((point - from).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+        (point - from - way * part).length()
+    }
+
+    /// The piece that is nearest to a point; the sooner found, the nearer the one that is looked at first.
     ///
     /// A piece that is so far along from a point of the line that its distance from there cannot make up for it is passed over.
-    pub(super) fn distance(&self, point: DVec2, most: f64) -> f64 {
-        let mut nearest = most;
+    pub(super) fn nearest(&self, point: DVec2, first: usize) -> Nearest {
+        let mut nearest = Nearest { piece: first, distance: self.distance_of(first, point) };
         let mut index = 0;
         while index + 1 < self.points.len() {
-            let (from, to) = (self.points[index], self.points[index + 1]);
-            let way = to - from;
-            let part = ((point - from).dot(way) / way.length_squared()).clamp(0.0, 1.0);
-            nearest = nearest.min((point - from - way * part).length());
+            let distance = self.distance_of(index, point);
+            if distance < nearest.distance {
+                nearest = Nearest { piece: index, distance };
+            }
             index += 1;
-            let too_far = to.distance(point) - nearest;
+            let too_far = self.points[index].distance(point) - nearest.distance;
             let beyond = self.along[index] + too_far / self.length;
             if too_far > 0.0 {
                 // The piece on which the line may come near again.
@@ -111,8 +134,12 @@ mod tests {
             [0.0, 0.125, 0.25, 0.5, 1.0].map(|along| bent.at(along).to_array()),
             [[1.0, 0.0], [2.5, 0.0], [4.0, 0.0], [4.0, 3.0], [4.0, 9.0]]
         );
-        assert_eq!(bent.distance(DVec2::new(0.0, -1.0), f64::INFINITY), 2f64.sqrt());
-        assert_eq!(bent.distance(DVec2::new(6.0, 5.0), 3.0), 2.0);
+        assert_eq!(bent.nearest(DVec2::new(0.0, -1.0), 1).distance, 2f64.sqrt());
+        assert_eq!(bent.nearest(DVec2::new(6.0, 5.0), 0).distance, 2.0);
+        let points =
+            |from: f64, to: f64| bent.between(from, to).iter().map(|point| point.to_array()).collect::<Vec<_>>();
+        assert_eq!(points(0.125, 0.5), [[2.5, 0.0], [4.0, 0.0], [4.0, 3.0]]);
+        assert_eq!(points(0.5, 1.0), [[4.0, 3.0], [4.0, 9.0]]);
         assert!(Line::of([DVec2::ONE, DVec2::ONE]).is_none() && Line::of([]).is_none());
     }
 
@@ -123,14 +150,12 @@ mod tests {
         let line = Line::of((0..300).map(wavy)).unwrap();
         for i in 0..200 {
             let point = DVec2::new(f64::from(i % 13) - 3.0, 0.17 * f64::from(i));
-            let piece = |pair: &[DVec2]| {
-                let way = pair[1] - pair[0];
-                let part = ((point - pair[0]).dot(way) / way.length_squared()).clamp(0.0, 1.0);
-                (point - pair[0] - way * part).length()
-            };
-            let each = line.points.windows(2).map(piece).fold(f64::INFINITY, f64::min);
-            for most in [f64::INFINITY, line.at(0.3).distance(point), each] {
-                assert!((line.distance(point, most) - each).abs() < 1e-12, "{i} {most}");
+            let pieces = line.points.len() - 1;
+            let each = (0..pieces).map(|piece| line.distance_of(piece, point)).fold(f64::INFINITY, f64::min);
+            for first in [0, 90, pieces - 1] {
+                let nearest = line.nearest(point, first);
+                assert!((nearest.distance - each).abs() < 1e-12, "{i} {first}");
+                assert_eq!(line.distance_of(nearest.piece, point), nearest.distance);
             }
         }
     }

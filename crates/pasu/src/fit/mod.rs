@@ -1,10 +1,12 @@
 //! A pot of rings that says what something else said: a pot of another kind, a drawn line, or a scan.
 
 mod azimuth;
+mod chords;
 mod contract;
 mod curves;
 mod digits;
 mod free;
+mod hausdorff;
 mod line;
 mod normal;
 mod profile;

@@ -2,9 +2,11 @@
 
 use glam::DVec2;
 
+use super::chords::Chords;
 use super::contract::{Ringed, check_tolerance, too_fine};
 use super::curves::{self, Answers, Curves, Place, leaning};
 use super::digits::{decimal, to_multiple};
+use super::hausdorff::farthest;
 use super::line::Line;
 use super::normal::Normal;
 use crate::design::{Design, RINGS, Rings, Shape, plain};
@@ -50,6 +52,12 @@ const LEAST_OVER: f64 = 0.004;
 /// Corners of both sides that are this near each other, in parts of the length, are one ring.
 const SAME_CORNER: f64 = 0.06;
 
+/// What a bound on the distance may be more than the distance, as a part of the tolerance, between chords of the pot's curve and on pieces of both lines.
+const HIDDEN: f64 = 0.01;
+
+/// What finding the nearest place of a line to a piece counts for, in the units of [`watch::work`].
+const PIECE: u64 = 30;
+
 /// Rings stand where their `u` has few digits, and this part of the profile apart at least.
 const STEP: f64 = 1e-4;
 
@@ -68,7 +76,7 @@ const AT_REST: f64 = 0.01;
 /// Least squares and the smoothing parameters that are tried: the potter's, and none, which makes straight lines straight.
 const SMOOTHINGS: [f64; 2] = [1.0, 0.0];
 
-/// A pot of `rings` with a drawn profile, no further from the line than a tolerance, as far as can be seen at its samples: fitted by least squares, with as few rings as were found to be enough, sharp where the line turns by more than 35 degrees.
+/// A pot of `rings` with a drawn profile, no further from the line than a tolerance, nor the line from it: fitted by least squares, with as few rings as were found to be enough, sharp where the line turns by more than 35 degrees.
 ///
 /// The line is run through by its length; what is `u` of the pot is the part of the length that lies below, about. With a left side of its own the pot leans or is wider there: each ring has one wave, `n = 1`, of radius and height. The lower end of the line is
 /// the foot. Between two sharp rings of straight pieces the smoothing parameter `a` is 0, so that they are straight.
@@ -270,7 +278,7 @@ impl<'a> Search<'a> {
                 break;
             }
         }
-        let between = self.off(&rings, places, n)?;
+        let between = self.off(&rings, places)?;
         Ok(Attempt { rings, between })
     }
 
@@ -333,22 +341,24 @@ impl<'a> Search<'a> {
         places.iter().enumerate().map(given).collect()
     }
 
-    /// The largest distance from one to the other, either way, from each ring to the next.
-    fn off(&self, rings: &Rings, places: &[Place], n: usize) -> Result<Vec<f64>> {
+    /// No place of one is further from the other, either way, from each ring to the next.
+    fn off(&self, rings: &Rings, places: &[Place]) -> Result<Vec<f64>> {
         let surface = Surface::solve(&rings.boundary_value(), "")?;
         let mut between = vec![0.0f64; places.len() - 1];
+        let close = HIDDEN * self.tolerance;
         for (index, side) in self.sides.iter().enumerate() {
-            let shown = (0..=2 * n).map(|i| i as f64 / (2 * n) as f64);
-            let curve: Vec<DVec2> = shown.clone().map(|u| seen(&surface, index, u)[0]).collect();
-            let made = Line::of(curve.iter().copied());
-            for (u, point) in shown.zip(&curve) {
-                let drawn = side.line.at(side.along(u));
-                // Both are places of the other line.
-                let most = drawn.distance(*point);
-                let far = made.as_ref().map_or(f64::INFINITY, |made| made.distance(drawn, most));
-                let off = side.line.distance(*point, most).max(far);
-                let bay = places.partition_point(|(place, _)| *place <= u).clamp(1, places.len() - 1) - 1;
-                between[bay] = between[bay].max(off);
+            let bays = places.windows(2).map(|pair| [pair[0].0, pair[1].0]);
+            let chords: Vec<Chords> = bays
+                .clone()
+                .map(|[from, to]| Chords::of(&surface, [from, to], close, |u| seen(&surface, index, u)[0]))
+                .collect();
+            let hidden = chords.iter().fold(0.0f64, |most, chords| most.max(chords.off));
+            let made = Line::of(chords.iter().flat_map(|chords| chords.points.iter().copied()));
+            for ((off, [from, to]), chords) in between.iter_mut().zip(bays).zip(&chords) {
+                let drawn = side.line.between(side.along(from), side.along(to));
+                watch::work(PIECE * (drawn.len() + chords.points.len()) as u64);
+                let far = made.as_ref().map_or(f64::INFINITY, |made| farthest(&drawn, made, close));
+                *off = off.max(far.max(farthest(&chords.points, &side.line, close)) + hidden);
             }
         }
         Ok(between)

@@ -22,7 +22,7 @@ pub enum Map {
     MeanCurvature,
     /// Gaussian curvature of the design surface, in 1 / area.
     GaussianCurvature,
-    /// Thickness of the wall along the normal, in model units.
+    /// Thickness of the wall along the normal, in model units; of one with a lining of its own the distance to that.
     Thickness,
     /// The angle of the outward normal below the horizontal, in degrees: 0 on a vertical wall, 90 on a level ceiling, -90 where the surface faces straight up.
     Overhang,

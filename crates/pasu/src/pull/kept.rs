@@ -11,7 +11,8 @@ pub(super) fn kept<const N: usize>(names: [&str; N], keep: &[String]) -> Result<
     for (index, word) in keep.iter().enumerate() {
         let known = names.iter().position(|name| name == word).ok_or_else(|| {
             let message = format!("expected {}, found {word:?}", names.join(", "));
-            Error::new(Code::UnknownName, format!("keep[{index}]"), message).with("found", word.as_str())
+            let error = Error::new(Code::UnknownName, format!("keep[{index}]"), message);
+            error.with("words", names.as_slice()).with("found", word.as_str())
         })?;
         kept[known] = true;
     }

@@ -51,7 +51,9 @@ fn kept(numbers: &[Parameter], keep: &[String]) -> Result<Vec<bool>> {
     {
         let known: Vec<String> = numbers.iter().map(Parameter::path).collect();
         let message = format!("expected numbers of the shape ({}), found {word:?}", known.join(", "));
-        return Err(Error::new(Code::UnknownName, format!("keep[{index}]"), message).with("found", word.as_str()));
+        let words: Vec<&str> = known.iter().map(String::as_str).collect();
+        let error = Error::new(Code::UnknownName, format!("keep[{index}]"), message);
+        return Err(error.with("words", words.as_slice()).with("found", word.as_str()));
     }
     let is_wave = |number: &Parameter| number.field.dimension == Dimension::Waves;
     Ok(numbers.iter().map(|number| is_wave(number) || keep.iter().any(|word| names(number, word))).collect())

@@ -95,7 +95,9 @@ fn bump(hand: &Hand) -> Result<Bump> {
     Bump::of_width(hand.width, petals).ok_or_else(|| {
         let least = Bump::least_width(petals);
         let width = hand.width.unwrap_or_default();
-        let message = format!("expected a width of at least {} radians, found {}", plain(least), plain(width));
+        // Who takes the number that is told is not refused again.
+        let told = libm::ceil(1e4 * least) / 1e4;
+        let message = format!("expected a width of at least {} radians, found {}", plain(told), plain(width));
         Error::new(Code::OutOfRange, "width", message).with("least", least).with("found", width)
     })
 }

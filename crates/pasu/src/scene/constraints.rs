@@ -104,7 +104,7 @@ fn checked(slack: f64) -> Result<f64> {
     }
     if !(slack > 0.0) {
         let message = format!("expected a number greater than 0, found {}", plain(slack));
-        return Err(Error::new(Code::OutOfRange, "slack", message).with("found", slack));
+        return Err(Error::new(Code::OutOfRange, "slack", message).with("above", 0.0).with("found", slack));
     }
     Ok(slack)
 }

@@ -668,7 +668,7 @@ impl Builder<'_> {
             if !(outer.dot(inner) > 0.0) {
                 let message = format!(
                     "a ring {} wide has no room within the foot at {}: expected a narrower one",
-                    plain(width),
+                    short(width),
                     place(at)
                 );
                 let error = self.error(Code::NoRoom, "wall.foot", message).near(at.to_array());
@@ -677,7 +677,7 @@ impl Builder<'_> {
         }
         let room = Outline::of(&inner, self.skin);
         if room.middle.is_none() || room.turn != outline.turn {
-            let message = format!("a ring {} wide fills the foot: expected a narrower one", plain(width));
+            let message = format!("a ring {} wide fills the foot: expected a narrower one", short(width));
             return Err(self
                 .error(Code::NoRoom, "wall.foot", message)
                 .with("what", "ring-fills-foot")

@@ -362,6 +362,7 @@ fn a_slack_is_a_length() {
     for (slack, code) in [(f64::NAN, Code::NotFinite), (0.0, Code::OutOfRange), (-1.0, Code::OutOfRange)] {
         let error = constraints(&blocks, Some(slack)).unwrap_err();
         assert_eq!((error.code(), error.path()), (code, "slack"));
+        assert_eq!(error.arg("above").is_some(), slack.is_finite(), "{error:?}");
     }
     assert_eq!(constraints(&blocks, Some(0.25)).unwrap().breaches[0].code, "contact");
     assert!(constraints(&blocks, Some(0.1)).unwrap().breaches.is_empty());

@@ -98,6 +98,42 @@ fn what_is_round_a_part_stays() {
     assert!(matches!(is.shape, Shape::Rings(_)) && freed.to_json().contains(r#""title":"jar","unit":"mm""#));
 }
 
+/// A part ten times as large as its shape was off ten times as far as asked for, and told a tenth of it.
+#[test]
+fn a_part_is_off_by_so_much_where_it_stands() {
+    let vase = |place: &str| {
+        let shape = r#""shape": { "kind": "second-order", "r": [1, 0.1, 0.6, 0.06] }"#;
+        Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{{ {shape}{place} }}] }}"#)).unwrap()
+    };
+    let own = free(&vase(""), 0, 0.003).unwrap();
+    let large = free(&vase(r#", "place": { "scale": [0.5, -10, 2] }"#), 0, 0.03).unwrap();
+    assert_eq!(large.design.parts()[0].shape, own.design.parts()[0].shape);
+    assert!((large.distance - 10.0 * own.distance).abs() < 1e-15 && large.distance <= 0.03);
+    let error = free(&vase(r#", "place": { "scale": [10, 10, 10] }"#), 0, 1e-9).unwrap_err();
+    assert_eq!((error.code(), error.arg("found")), (Code::ToleranceTooFine, Some(&Arg::Number(1e-9))));
+    let Some(Arg::Number(finest)) = error.arg("reached") else { panic!("{error:?}") };
+    assert!((1e-8..1e-7).contains(finest), "{finest}");
+}
+
+/// Between the four rows of each bay that rings are looked for with it is up to a fifth further off than at them.
+#[test]
+fn what_is_told_of_rings_is_so_between_the_places_that_are_looked_at() {
+    // Round ones, whose profile is the same wherever it is looked at.
+    for link in ["#1/fourth-order", "#1/fourth-order?rm=0.6", "#1/mixed-order?r=1,0,.6,0", "#1/second-order?r=1,0,.6,0"]
+    {
+        let vase = Design::parse(link).unwrap();
+        for tolerance in [0.3, 0.05, 0.003] {
+            let freed = free(&vase, 0, tolerance).unwrap();
+            let dense: Vec<f64> = (0..=400).flat_map(|i| [f64::from(i) / 400.0, 0.0]).collect();
+            let profile = |design: &Design| evaluate(design, 0, &dense).unwrap();
+            let [one, other] = [profile(&vase), profile(&freed.design)];
+            let line: Vec<[f64; 2]> = one.chunks_exact(3).map(|p| [p[0].hypot(p[1]), p[2]]).collect();
+            let off = other.chunks_exact(3).map(|p| away([p[0].hypot(p[1]), p[2]], &line)).fold(0.0, f64::max);
+            assert!(freed.distance <= tolerance && off <= freed.distance + 1e-5, "{link}: {off}, {}", freed.distance);
+        }
+    }
+}
+
 /// Boundary data may have corners, a foot that is a point, and be upside down.
 #[test]
 fn corners_stay_corners_and_a_point_stays_a_point() {
@@ -160,13 +196,21 @@ fn away(p: [f64; 2], line: &[[f64; 2]]) -> f64 {
 
 /// How far the profile of a pot is from a line of straight pieces, and the other way: by points of both.
 fn off(design: &Design, v: f64, line: &[f64]) -> f64 {
-    let at: Vec<f64> = (0..=1000).flat_map(|i| [f64::from(i) / 1000.0, v]).collect();
+    let at: Vec<f64> = (0..=1000).map(|i| f64::from(i) / 1000.0).collect();
+    off_at(design, v, line, &at)
+}
+
+/// The same with points of the pot at these places.
+fn off_at(design: &Design, v: f64, line: &[f64], at: &[f64]) -> f64 {
+    let at: Vec<f64> = at.iter().flat_map(|u| [*u, v]).collect();
     let made: Vec<[f64; 2]> =
         evaluate(design, 0, &at).unwrap().chunks_exact(3).map(|p| [p[0] * v.cos(), p[2]]).collect();
     let line: Vec<[f64; 2]> = line.chunks_exact(2).map(|p| [p[0], p[1]]).collect();
     let between = |pair: &[[f64; 2]]| {
         let [from, to] = [pair[0], pair[1]];
-        (0..8).map(move |i| [0, 1].map(|k| from[k] + (to[k] - from[k]) * f64::from(i) / 8.0)).collect::<Vec<_>>()
+        let steps = (1600 / line.len()).max(8) as u32;
+        let part = |i: u32| f64::from(i) / f64::from(steps);
+        (0..steps).map(|i| [0, 1].map(|k| from[k] + (to[k] - from[k]) * part(i))).collect::<Vec<_>>()
     };
     let dense = line.windows(2).flat_map(between).chain(line.last().copied());
     let far = made.iter().map(|p| away(*p, &line)).fold(0.0, f64::max);
@@ -254,6 +298,51 @@ fn a_pot_is_found_again_from_its_own_profile() {
         assert!(found.distance <= 0.02 && off <= 0.022, "{link}: {} {off}", found.distance);
         assert!(pot(&found.design).rings.len() <= 4 * n, "{link}: {}", pot(&found.design).rings.len());
     }
+}
+
+/// Lines of few and of many points, of every size: at 480 places the fit was told to be nearer than it is, by up to eighty times, and passed the tolerance in one of seven.
+#[test]
+fn no_drawn_line_is_further_off_than_is_told() {
+    let mut seed = 11u64;
+    let mut chance = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 40) as f64 / (1u64 << 24) as f64
+    };
+    let mut found_at_all = 0;
+    for _ in 0..60 {
+        let n = 3 + (chance() * 10.0) as usize;
+        let size = [0.02, 1.0, 100.0][(chance() * 3.0) as usize];
+        let mut height = 0.0;
+        let mut corners = Vec::new();
+        for _ in 0..n {
+            corners.push([size * (0.2 + chance()), size * height]);
+            height += 0.05 + 0.5 * chance();
+        }
+        let is_round = chance() < 0.5;
+        let line = match is_round {
+            false => corners.concat(),
+            true => drawn(150, |along| {
+                let at = along * (n - 1) as f64;
+                let first = (at as usize).min(n - 2);
+                let part = at - first as f64;
+                let eased = part * part * (3.0 - 2.0 * part);
+                let ([r0, z0], [r1, z1]) = (corners[first], corners[first + 1]);
+                [r0 + (r1 - r0) * eased, z0 + (z1 - z0) * part]
+            }),
+        };
+        let tolerance = size * [0.2, 0.02, 0.005, 0.001][(chance() * 4.0) as usize];
+        let Ok(found) = fit(&Profile::new(line.clone()), tolerance) else { continue };
+        found_at_all += 1;
+        // Chords of the curve do not cut its corners.
+        let mut at: Vec<f64> = (0..=3000).map(|i| f64::from(i) / 3000.0).collect();
+        at.extend(pot(&found.design).rings.iter().map(|ring| ring.u));
+        at.sort_by(f64::total_cmp);
+        at.dedup();
+        let off = off_at(&found.design, 0.0, &line, &at);
+        assert!(found.distance <= tolerance && off <= found.distance * 1.0001 + 1e-6 * size, "{off} and {found:?}");
+        assert!(found.distance <= 1.06 * off + 1e-6 * size + 0.03 * tolerance, "{off} and {found:?}");
+    }
+    assert!(found_at_all > 50, "{found_at_all}");
 }
 
 /// Every pot of the gallery, from points of its own profile: the curve is found again to the tolerance, both ways.

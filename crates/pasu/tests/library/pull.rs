@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use pasu::{Code, Design, Hand, Shape, evaluate, pull};
+use pasu::{Arg, Code, Design, Hand, Shape, evaluate, pull};
 use proptest::prelude::*;
 
 const FAMILIES: [&str; 4] = ["second-order", "mixed-order", "fourth-order", "bloor-wilson"];
@@ -175,9 +175,13 @@ fn hostile_hands_are_answered_or_refused() {
     assert_eq!(refusal(Hand { width: Some(1e-9), ..hand.clone() }), (Code::OutOfRange, "width".into()));
     assert_eq!(refusal(Hand { petals: Some(0), ..hand.clone() }), (Code::OutOfRange, "petals".into()));
     assert_eq!(refusal(Hand { petals: Some(257), ..hand.clone() }), (Code::OutOfRange, "petals".into()));
-    assert_eq!(
-        refusal(Hand { keep: vec!["r".into(), "belly".into()], ..hand.clone() }),
-        (Code::UnknownName, "keep[1]".into())
+    let unknown = Hand { keep: vec!["r".into(), "belly".into()], ..hand.clone() };
+    assert_eq!(refusal(unknown.clone()), (Code::UnknownName, "keep[1]".into()));
+    let refused = pull(&vase, 0, &unknown).unwrap_err();
+    assert_eq!(refused.arg("found"), Some(&Arg::from("belly")));
+    assert!(
+        matches!(refused.arg("words"), Some(Arg::Words(words)) if words.contains(&"height".to_owned())),
+        "{refused:?}"
     );
     assert_eq!(pull(&vase, 7, &hand).unwrap_err().code(), Code::NoSuchPoint);
 }
@@ -333,6 +337,7 @@ fn what_a_pot_of_rings_keeps_stays() {
     assert!((behind - 0.7).abs() < 1e-9, "{behind}");
     let refused = pull(&pot, 0, &Hand { keep: vec!["height".into()], ..Hand::new([0.3, 0.0], to) }).unwrap_err();
     assert_eq!((refused.code(), refused.path()), (Code::UnknownName, "keep[0]"));
+    assert_eq!(refused.arg("words"), Some(&Arg::from(["r", "z", "v"].as_slice())));
 }
 
 /// 66 rings, as many as there may be: the nearest is pulled, however far it is.

@@ -18,9 +18,9 @@ import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons, disclosure, fields } from "../../ui/styles";
 import { told } from "../../ui/told";
+import { boundWords } from "../../words/bound";
 import { drawing as words } from "../../words/english/drawing";
 import { cannotWords } from "../../words/freeing";
-import { spokenLength } from "../../words/quantities";
 import { type Drawn, drawnOf, drawnPot, redraw } from "../../work/drawn";
 import { pickFile } from "../../work/files";
 import { followedByHand } from "../../work/freeing";
@@ -41,8 +41,6 @@ const COARSEST = 1 / 50;
 
 /** Rings are not sought at every movement of the hand. */
 const PAUSE_MS = 160;
-
-const DIGITS = 2;
 
 /** Rings, and the sheet that they were found for. */
 interface Found {
@@ -215,7 +213,7 @@ export class PasuDraw extends DesignerElement {
     if (found.state === "superseded") return nothing;
     if (found.state === "refused") return html`<span class="warn">${cannotWords(found.refusal, this.unit)}</span>`;
     const { shape, distance } = found.value.drawn;
-    return words.found(shape.rings.length, spokenLength(distance, this.unit, DIGITS));
+    return words.found(shape.rings.length, boundWords(distance, this.unit));
   }
 
   /** What was found last is nearly true of a newer line: it is seen until there is something better. */
@@ -323,7 +321,7 @@ export class PasuDraw extends DesignerElement {
     const { shape, distance } = ready.drawn;
     if (this.redraws) designer.apply(redraw(designer.state, shape));
     else designer.opening.open(drawnPot(shape, ready.sheet.height, unit));
-    designer.notices.say(words.done(shape.rings.length, spokenLength(distance, unit, DIGITS)));
+    designer.notices.say(words.done(shape.rings.length, boundWords(distance, unit)));
     this.close();
   };
 

@@ -14,10 +14,10 @@ import "../../ui/dialog";
 import { icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
 import { told } from "../../ui/told";
+import { boundWords } from "../../words/bound";
 import { page } from "../../words/english/page";
 import { scan as words } from "../../words/english/scan";
 import { cannotWords } from "../../words/freeing";
-import { spokenLength } from "../../words/quantities";
 import { drawnPot } from "../../work/drawn";
 import { pickFile } from "../../work/files";
 import { followedByHand } from "../../work/freeing";
@@ -38,7 +38,6 @@ const LARGE = 60;
 /** The slider of the tolerance reaches this part of the height. */
 const COARSEST = 1 / 20;
 
-const DIGITS = 2;
 const PAUSE_MS = 250;
 
 type Up = "z" | "y";
@@ -171,7 +170,7 @@ export class PasuScan extends DesignerElement {
   }
 
   private length(value: number): string {
-    return spokenLength(value, this.unit, DIGITS);
+    return boundWords(value, this.unit);
   }
 
   private told() {

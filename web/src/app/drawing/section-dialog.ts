@@ -14,16 +14,15 @@ import { icon } from "../../ui/icons";
 import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons, fields } from "../../ui/styles";
+import { boundWords } from "../../words/bound";
 import { blends as words } from "../../words/english/blends";
 import { drawing } from "../../words/english/drawing";
-import { spokenLength } from "../../words/quantities";
 import { pickFile } from "../../work/files";
 import { type OutlineEvent, SECTION_SHEET } from "./section-sheet";
 import "./section-sheet";
 import { onSheet, type SvgLine, svgLines } from "./svg-lines";
 
 const MARGIN = 40;
-const DIGITS = 2;
 /** How far off a section is at most where nobody has said so, as a share of its reach. */
 const USUAL = 0.02;
 const FINEST = 0.001;
@@ -104,7 +103,7 @@ export class PasuSectionDialog extends DesignerElement {
     const { drawn } = this;
     if (!drawn) return drawing.nothing;
     const off = (drawn.off / drawn.reach) * reach;
-    return words.found(drawn.waves, spokenLength(off, unitOf(this.designer.store.design), DIGITS));
+    return words.found(drawn.waves, boundWords(off, unitOf(this.designer.store.design)));
   }
 
   /** Which of the lines of a file it is. */
@@ -174,9 +173,7 @@ export class PasuSectionDialog extends DesignerElement {
     const factor = reachOf(section) / drawn.reach;
     const outline = outlineBy(drawn, factor);
     designer.apply(changeSection(designer.state, this.end, () => ({ form: "outline", ...outline, z, taper, dz })));
-    designer.notices.say(
-      words.found(drawn.waves, spokenLength(drawn.off * factor, unitOf(designer.store.design), DIGITS)),
-    );
+    designer.notices.say(words.found(drawn.waves, boundWords(drawn.off * factor, unitOf(designer.store.design))));
     this.close();
   };
 

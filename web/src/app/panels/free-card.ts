@@ -11,17 +11,14 @@ import "../../ui/number-field";
 import type { NumberChangeEvent, PasuNumber } from "../../ui/number-field";
 import { base, buttons } from "../../ui/styles";
 import { told } from "../../ui/told";
+import { boundWords } from "../../words/bound";
 import { freeing as words } from "../../words/english/freeing";
 import { cannotWords } from "../../words/freeing";
-import { spokenLength } from "../../words/quantities";
 import { type Freed, finenessOf, freed, takeFreed } from "../../work/freeing";
 import { Seeking } from "../seeking";
 
 /** What the slider reaches to either side of what is good to begin with. */
 const REACH = 20;
-
-/** Lengths that say how far off: more digits are of no use. */
-const DIGITS = 2;
 
 /** Rings are not sought at every movement of the slider. */
 const PAUSE_MS = 120;
@@ -88,7 +85,7 @@ export class PasuFreeCard extends DesignerElement {
     if (found.state === "refused") return html`<span class="warn">${cannotWords(found.refusal, unit)}</span>`;
     const { shape, distance } = found.value;
     const rings = shape.rings.length;
-    return distance === 0 ? words.exact(rings) : words.found(rings, spokenLength(distance, unit, DIGITS));
+    return distance === 0 ? words.exact(rings) : words.found(rings, boundWords(distance, unit));
   }
 
   private ask(shape: Shape): void {
@@ -116,9 +113,7 @@ export class PasuFreeCard extends DesignerElement {
     if (takeFreed(designer.store, ready)) {
       const unit = unitOf(designer.store.design);
       const rings = shape.rings.length;
-      designer.notices.say(
-        distance === 0 ? words.exact(rings) : words.done(rings, spokenLength(distance, unit, DIGITS)),
-      );
+      designer.notices.say(distance === 0 ? words.exact(rings) : words.done(rings, boundWords(distance, unit)));
       this.leave();
     } else designer.notices.say(words.changed);
   };

@@ -14,13 +14,11 @@ import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons } from "../../ui/styles";
 import { told } from "../../ui/told";
+import { boundWords } from "../../words/bound";
 import { networks as words } from "../../words/english/networks";
-import { spokenLength } from "../../words/quantities";
 import { whyWords } from "../../words/refusals";
 import { Seeking } from "../seeking";
 
-/** Lengths that say how far off: more digits are of no use. */
-const DIGITS = 2;
 const PAUSE_MS = 120;
 /** Nobody needs more than these either way. */
 const MOST = 120;
@@ -89,7 +87,7 @@ export class PasuPatchCard extends DesignerElement {
     if (found.state === "superseded") return nothing;
     if (found.state === "refused") return html`<span class="warn">${whyWords(found.refusal)}</span>`;
     if (!this.useful) return html`<span class="warn">${words.cannot}</span>`;
-    return words.apart(spokenLength(found.value.distance, unitOf(this.designer.store.design), DIGITS));
+    return this.apart(found.value.distance);
   }
 
   private ask(from: Shape): void {
@@ -120,9 +118,16 @@ export class PasuPatchCard extends DesignerElement {
     const { wall: _, ...rest } = before;
     const parts = design.parts.map((each, place) => (place === part ? { ...rest, shape: useful.shape } : each));
     designer.apply({ design: { ...design, parts }, undo: "step" });
-    designer.notices.say(words.apart(spokenLength(useful.distance, unitOf(design), DIGITS)));
+    designer.notices.say(this.apart(useful.distance));
     this.leave();
   };
+
+  /** How far what is so far off before placement is where the part stands. */
+  private apart(distance: number): string {
+    const { design, part } = this.designer.state;
+    const scale = design.parts[part]?.place?.scale ?? [1];
+    return words.apart(boundWords(Math.max(...scale.map(Math.abs)) * distance, unitOf(design)));
+  }
 
   private readonly leave = (): void => {
     this.dispatchEvent(new Event("patch-closed"));

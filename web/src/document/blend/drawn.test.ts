@@ -62,6 +62,34 @@ test("the error that is told holds, falls with the tolerance, and is honest wher
   expect(finest?.off).toBeGreaterThan(1e-3);
 });
 
+test("no corner is further from the curve than is told, wherever it lies between the places that are looked at", () => {
+  for (let sides = 3; sides < 24; sides += 2) {
+    // Sides of unequal lengths.
+    const polygon = round(sides, (angle) => ({
+      x: 200 + (100 + 30 * Math.sin(3.7 * angle)) * Math.cos(angle),
+      y: 200 + (100 + 30 * Math.sin(3.7 * angle)) * Math.sin(angle),
+    }));
+    const drawn = outlineThrough(polygon, 0.3);
+    if (!drawn) throw new Error("it goes round an area");
+    const sum = (series: typeof drawn.x, angle: number) =>
+      series.reduce((all, { n, cos = 0, sin = 0 }) => all + cos * Math.cos(n * angle) + sin * Math.sin(n * angle), 0);
+    const { x, y, middle, off } = drawn;
+    const curve = round(4096, (angle) => ({ x: middle.x + sum(x, angle), y: middle.y - sum(y, angle) }));
+    for (const corner of polygon) {
+      const pieces = curve.map((from, at) => [from, curve[(at + 1) % curve.length] ?? from] as const);
+      const nearest = Math.min(...pieces.map((piece) => distanceTo(corner, piece)));
+      expect(nearest).toBeLessThanOrEqual(off + 5e-3);
+    }
+  }
+});
+
+function distanceTo({ x, y }: Spot, [from, to]: readonly [Spot, Spot]): number {
+  const [dx, dy] = [to.x - from.x, to.y - from.y];
+  const part = ((x - from.x) * dx + (y - from.y) * dy) / (dx * dx + dy * dy || 1);
+  const held = Math.min(Math.max(part, 0), 1);
+  return Math.hypot(x - from.x - held * dx, y - from.y - held * dy);
+}
+
 test("what is not turned is not turned after it was rounded", () => {
   const blob = round(500, (angle) => ({
     x: 200 + (90 + 20 * Math.cos(3 * angle + 0.4)) * Math.cos(angle),

@@ -15,8 +15,9 @@ export interface DrawnOutline extends Pick<OutlineSection, "x" | "y"> {
   readonly reach: number;
 }
 
-/** The line is looked at in so many points. */
+/** The line is looked at in so many points, and where it turns by more than this, in radians. */
 const POINTS = 1024;
+const TURN = 0.1;
 /** More waves than this are a line that trembles. */
 export const MOST_WAVES = 96;
 /** Where no tolerance is held, nothing is gained by trying every number of waves. */
@@ -37,11 +38,13 @@ export function outlineThrough(line: readonly Spot[], tolerance: number): DrawnO
   if (!(Math.abs(areaOf(even)) > 1e-3 * lengthOf(closed) ** 2) || !(forth > 0)) return null;
   let count = 1;
   let made = kept(all, count);
-  let off = farthest(even, made);
+  const places = [...even.map((spot, at) => ({ spot, share: at / POINTS })), ...cornersOf(closed)];
+  const isForwards = areaOf(even) > 0;
+  let off = farthest(places, isForwards, made);
   while (off > tolerance && count < MOST_WAVES) {
     count = Math.min(MOST_WAVES, Math.max(count + 1, Math.floor(count * MORE)));
     made = kept(all, count);
-    off = farthest(even, made);
+    off = farthest(places, isForwards, made);
   }
   const centre = all.get(0) ?? [0, 0];
   const middle: Spot = { x: centre[1], y: -centre[0] };
@@ -98,12 +101,29 @@ function kept(waves: Waves, count: number): Waves {
   return new Map([...waves].filter(([k]) => Math.abs(k) <= count));
 }
 
-/** How far any point of the line is from the curve at the same share of the way, or nearer to it. */
-function farthest(line: readonly Spot[], waves: Waves): number {
-  const forwards = areaOf(line) > 0;
-  return line.reduce((most, spot, at) => {
-    const share = (forwards ? at : line.length - 1 - at) / line.length;
-    const on = spotAt(waves, share);
+interface Place {
+  readonly spot: Spot;
+  /** How much of the way round lies before it. */
+  readonly share: number;
+}
+
+/** Where a closed line turns: between two points of many it may be further off than at both. */
+function cornersOf(closed: readonly Spot[]): readonly Place[] {
+  const length = lengthOf(closed);
+  let done = 0;
+  return closed.slice(0, -1).flatMap((spot, at) => {
+    const [before, after] = [closed[at === 0 ? closed.length - 2 : at - 1] as Spot, closed[at + 1] as Spot];
+    const [x0, y0, x1, y1] = [spot.x - before.x, spot.y - before.y, after.x - spot.x, after.y - spot.y];
+    const share = done / length;
+    done += Math.hypot(x1, y1);
+    return Math.abs(Math.atan2(x0 * y1 - x1 * y0, x0 * x1 + y0 * y1)) > TURN ? [{ spot, share }] : [];
+  });
+}
+
+/** How far any of these places is from the curve at the same share of the way, or nearer to it. */
+function farthest(places: readonly Place[], isForwards: boolean, waves: Waves): number {
+  return places.reduce((most, { spot, share }) => {
+    const on = spotAt(waves, isForwards ? share : 1 - 1 / POINTS - share);
     return Math.max(most, Math.hypot(on.x - spot.x, on.y - spot.y));
   }, 0);
 }
