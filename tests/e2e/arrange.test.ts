@@ -125,6 +125,18 @@ test("parts are aligned, distributed and mirrored, each by one step", async () =
   await expect.poll(() => shifts(pot)).toEqual(before);
 });
 
+test("of what is locked the card says why nothing moves it, and it may be copied", async () => {
+  const pot = await scene(SCENE);
+  await row(pot, "Red").click();
+  await open(pot);
+  await pot.button("Lock where it stands").click();
+  await arrange(pot).getByText("What is selected is locked.").waitFor();
+  expect(await arrange(pot).getByRole("button", { name: "On the table" }).isDisabled()).toBe(true);
+  await press(pot, "Make the row");
+  await expect.poll(() => rows(pot).count()).toBe(8);
+  await arrange(pot).getByText("What is selected is locked.").waitFor({ state: "detached" });
+});
+
 test("copies stand in a row and in a ring", async () => {
   const pot = await scene(SCENE);
   await row(pot, "Red").click();
