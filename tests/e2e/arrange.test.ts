@@ -125,6 +125,29 @@ test("parts are aligned, distributed and mirrored, each by one step", async () =
   await expect.poll(() => shifts(pot)).toEqual(before);
 });
 
+test("of two presses at once the second goes by where the first has put the parts", async () => {
+  const pot = await scene(SCENE);
+  await row(pot, "Blue").click();
+  await open(pot);
+  for (const [first, high] of [
+    ["On the table", 0],
+    ["Top to bottom", 2],
+  ] as const) {
+    await arrange(pot).evaluate(
+      (card, names) => {
+        const buttons = [...(card.shadowRoot?.querySelectorAll("button") ?? [])];
+        for (const name of names) buttons.find(({ textContent }) => textContent?.trim() === name)?.click();
+      },
+      [first, "On the table"],
+    );
+    await expect.poll(async () => (await shifts(pot))[1]).toEqual([4, 1, high]);
+    await pot.fingerprint();
+    expect((await shifts(pot))[1]).toEqual([4, 1, high]);
+    while ((await shifts(pot))[1]?.[2] !== 1) await pot.undo();
+    await pot.fingerprint();
+  }
+});
+
 test("of what is locked the card says why nothing moves it, and it may be copied", async () => {
   const pot = await scene(SCENE);
   await row(pot, "Red").click();

@@ -29,7 +29,7 @@ import { base, buttons, disclosure } from "../../ui/styles";
 import { arranging as words } from "../../words/english/arranging";
 import { handling } from "../../words/english/handling";
 import { parts as partWords } from "../../words/english/parts";
-import { boxesOf, middlesOf } from "../../work/held";
+import { boxesOf, middlesOf, onceKnown } from "../../work/held";
 import { type Course, pushOnto } from "../../work/pushing";
 import { rimsOf } from "../../work/rims";
 
@@ -132,7 +132,7 @@ export class PasuArrange extends DesignerElement {
     const { designer } = this;
     this.pushing = true;
     this.pushed = null;
-    const became = await pushOnto(designer, course);
+    const became = await onceKnown(designer, () => pushOnto(designer, course));
     this.pushing = false;
     if (became !== "partly" && became !== "nowhere") return;
     const selected = selectedIds(designer.state).join();
@@ -296,7 +296,7 @@ export class PasuArrange extends DesignerElement {
       type="button"
       title=${note === "" ? nothing : note}
       ?disabled=${disabled}
-      @click=${() => this.designer.apply(change())}
+      @click=${() => void onceKnown(this.designer, () => this.designer.apply(change()))}
     >
       ${label}
     </button>`;
