@@ -160,6 +160,21 @@ test("of what is locked the card says why nothing moves it, and it may be copied
   await arrange(pot).getByText("What is selected is locked.").waitFor({ state: "detached" });
 });
 
+test("no number under Placement moves what is locked", async () => {
+  const pot = await scene(JAR);
+  await row(pot, "Lid").click();
+  const place = pot.page.locator("pasu-place");
+  await place.locator("summary").click();
+  expect(await place.locator("[inert]").count()).toBe(0);
+  await pot.button("Lock where it stands").click();
+  await place.getByText("It is locked where it stands.").waitFor();
+  expect(await place.locator("[inert] [data-field='place-shift-2']").count()).toBe(1);
+  expect(await findings(pot)).toEqual([]);
+  // The other is not.
+  await row(pot, "Jar").first().click();
+  await place.locator("[inert]").waitFor({ state: "detached" });
+});
+
 test("copies stand in a row and in a ring", async () => {
   const pot = await scene(SCENE);
   await row(pot, "Red").click();
