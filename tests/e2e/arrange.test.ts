@@ -205,6 +205,28 @@ test("copies stand in a row and in a ring", async () => {
   expect(new Set((await objects(pot)).slice(0, 4)).size).toBe(4);
 });
 
+test("the step of a row is that of the scene: in another one, and in another unit, it is proposed anew", async () => {
+  const pot = await scene(SCENE);
+  await row(pot, "Red").click();
+  await open(pot);
+  const step = () => pot.field("Step along x").inputValue();
+  expect(await step()).toBe("2.4");
+  await pot.type("Step along x", "5");
+  await row(pot, "Blue").click();
+  expect(await step()).toBe("5");
+  await pot.tab("Measures");
+  await pot.page.locator("pasu-size").getByLabel("Unit").selectOption({ label: "millimetres" });
+  await pot.tab("Shape");
+  await expect.poll(step).toBe("24");
+  await pot.type("Step along x", "50");
+  await press(pot, "Make the row");
+  await expect.poll(() => rows(pot).count()).toBe(8);
+  expect(await step()).toBe("50");
+  await pot.dropFile("jar.json", JSON.stringify(JAR));
+  await expect.poll(() => rows(pot).count()).toBe(2);
+  await expect.poll(step).not.toBe("50");
+});
+
 test("a lid stands on the rim of the part that was selected last", async () => {
   const pot = await scene(JAR);
   await row(pot, "Lid").click();

@@ -53,6 +53,18 @@ export class PasuArrange extends DesignerElement {
   @state() private pushing = false;
   @state() private pushed: { readonly said: string; readonly of: Design; readonly selected: string } | null = null;
 
+  /** Which scene that was chosen in, and in which unit: in another these lengths mean nothing. */
+  private chosenIn = "";
+
+  override willUpdate(): void {
+    const { store, surface } = this.designer;
+    const now = `${surface.shown?.framing} ${unitOf(store.design)}`;
+    if (now === this.chosenIn) return;
+    this.chosenIn = now;
+    this.step = null;
+    this.centre = null;
+  }
+
   override render() {
     return html`<details ?open=${this.isOpen} @toggle=${this.toggled}>
       <summary><h3>${words.heading}</h3><span>${words.about}</span></summary>
