@@ -125,6 +125,56 @@ test("parts are aligned, distributed and mirrored, each by one step", async () =
   await expect.poll(() => shifts(pot)).toEqual(before);
 });
 
+test("of two presses at once the second goes by where the first has put the parts", async () => {
+  const pot = await scene(SCENE);
+  await row(pot, "Blue").click();
+  await open(pot);
+  for (const [first, high] of [
+    ["On the table", 0],
+    ["Top to bottom", 2],
+  ] as const) {
+    await arrange(pot).evaluate(
+      (card, names) => {
+        const buttons = [...(card.shadowRoot?.querySelectorAll("button") ?? [])];
+        for (const name of names) buttons.find(({ textContent }) => textContent?.trim() === name)?.click();
+      },
+      [first, "On the table"],
+    );
+    await expect.poll(async () => (await shifts(pot))[1]).toEqual([4, 1, high]);
+    await pot.fingerprint();
+    expect((await shifts(pot))[1]).toEqual([4, 1, high]);
+    while ((await shifts(pot))[1]?.[2] !== 1) await pot.undo();
+    await pot.fingerprint();
+  }
+});
+
+test("of what is locked the card says why nothing moves it, and it may be copied", async () => {
+  const pot = await scene(SCENE);
+  await row(pot, "Red").click();
+  await open(pot);
+  await pot.button("Lock where it stands").click();
+  await arrange(pot).getByText("What is selected is locked.").waitFor();
+  expect(await arrange(pot).getByRole("button", { name: "On the table" }).isDisabled()).toBe(true);
+  await press(pot, "Make the row");
+  await expect.poll(() => rows(pot).count()).toBe(8);
+  await arrange(pot).getByText("What is selected is locked.").waitFor({ state: "detached" });
+});
+
+test("no number under Placement moves what is locked", async () => {
+  const pot = await scene(JAR);
+  await row(pot, "Lid").click();
+  const place = pot.page.locator("pasu-place");
+  await place.locator("summary").click();
+  expect(await place.locator("[inert]").count()).toBe(0);
+  await pot.button("Lock where it stands").click();
+  await place.getByText("It is locked where it stands.").waitFor();
+  expect(await place.locator("[inert] [data-field='place-shift-2']").count()).toBe(1);
+  expect(await findings(pot)).toEqual([]);
+  // The other is not.
+  await row(pot, "Jar").first().click();
+  await place.locator("[inert]").waitFor({ state: "detached" });
+});
+
 test("copies stand in a row and in a ring", async () => {
   const pot = await scene(SCENE);
   await row(pot, "Red").click();
@@ -153,6 +203,28 @@ test("copies stand in a row and in a ring", async () => {
     [5, 5, 0],
   ]);
   expect(new Set((await objects(pot)).slice(0, 4)).size).toBe(4);
+});
+
+test("the step of a row is that of the scene: in another one, and in another unit, it is proposed anew", async () => {
+  const pot = await scene(SCENE);
+  await row(pot, "Red").click();
+  await open(pot);
+  const step = () => pot.field("Step along x").inputValue();
+  expect(await step()).toBe("2.4");
+  await pot.type("Step along x", "5");
+  await row(pot, "Blue").click();
+  expect(await step()).toBe("5");
+  await pot.tab("Measures");
+  await pot.page.locator("pasu-size").getByLabel("Unit").selectOption({ label: "millimetres" });
+  await pot.tab("Shape");
+  await expect.poll(step).toBe("24");
+  await pot.type("Step along x", "50");
+  await press(pot, "Make the row");
+  await expect.poll(() => rows(pot).count()).toBe(8);
+  expect(await step()).toBe("50");
+  await pot.dropFile("jar.json", JSON.stringify(JAR));
+  await expect.poll(() => rows(pot).count()).toBe(2);
+  await expect.poll(step).not.toBe("50");
 });
 
 test("a lid stands on the rim of the part that was selected last", async () => {

@@ -81,6 +81,9 @@ test("the list follows what is done to the design, by pointer and keys, until it
   await pot.page.keyboard.press("Tab");
   await pot.page.keyboard.press("Enter");
   await panel(pot).waitFor({ state: "detached" });
+  expect(await pot.page.evaluate(() => document.activeElement?.shadowRoot?.activeElement?.localName)).toBe(
+    "pasu-stage",
+  );
 });
 
 /** How many pixels of the stage are far more of one colour than of both others: red, green and blue. */

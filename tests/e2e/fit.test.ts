@@ -76,6 +76,35 @@ test("what is wrong is said with names, its place is marked on the stage, and go
   await expect.poll(async () => (await told(pot)).join(" ")).not.toContain("runs into");
 });
 
+test("the focus stays in the card when what was pressed has mended something", async () => {
+  const pot = await entered(scene(JAR, LID, HANDLE));
+  const heading = pot.page.locator("pasu-constraints h4:focus");
+  for (const [code, name] of [
+    ["interference", "apart"],
+    ["not-connected", "together"],
+    ["not-connected", "separate"],
+    ["interference", "glue"],
+  ] as const) {
+    await mend(pot, code, name).focus();
+    await pot.page.keyboard.press("Enter");
+    await report(pot, code).waitFor({ state: "detached" });
+    await told(pot);
+    await expect.poll(() => heading.count()).toBe(1);
+    await pot.undo();
+    await report(pot, code).waitFor();
+  }
+});
+
+test("where all reports are asked for, the first that was not listed has the focus", async () => {
+  const loose = Array.from({ length: 7 }, (_, i) => block(`Crumb ${i}`, 0, [1, 1, 1], [10 + 5 * i, 0, 0]));
+  const pot = await entered(scene(JAR, ...loose));
+  await told(pot);
+  await card(pot).getByRole("button", { name: "Show all 7" }).focus();
+  await pot.page.keyboard.press("Enter");
+  await expect.poll(() => card(pot).locator("li").count()).toBe(7);
+  await expect.poll(() => card(pot).locator("li:nth-child(6) .told:focus").count()).toBe(1);
+});
+
 test("two objects are moved apart and what is loose is brought, each by one step", async () => {
   const pot = await entered(scene(JAR, LID, HANDLE));
   const before = await standing(pot);

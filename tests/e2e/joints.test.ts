@@ -113,6 +113,21 @@ test("a number of the placement becomes a slider, with a label and limits of its
   await slider(pot, "Swing").waitFor();
 });
 
+test("where a slider is taken away the focus stays among the others, and then with the parts", async () => {
+  const [drawer, ...others] = CABINET.parts.toReversed();
+  const door = block("Door", 2, [0, 4, 0], { joints: { z: { limits: [0, 1] } } });
+  const pot = await scene({ ...CABINET, parts: [...others, door, ...(drawer ? [drawer] : [])] });
+  for (const [name, left] of [
+    ["Door along z", "pasu-joints h3:focus"],
+    ["Pull the drawer", "pasu-parts [role=listbox]:focus"],
+  ] as const) {
+    await settings(pot, name).click();
+    await pot.page.locator("pasu-joints details[open] > button").focus();
+    await pot.page.keyboard.press("Enter");
+    await expect.poll(() => pot.page.locator(left).count()).toBe(1);
+  }
+});
+
 /** In the link its edges are in another order, which turns it otherwise. */
 test("a door of an octant is as far open in its link as it was", async () => {
   const limits = [0, Math.PI / 2];

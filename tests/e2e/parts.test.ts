@@ -302,6 +302,27 @@ test("a part that is hidden is not drawn and not found, and stays in the design,
   await expect.poll(() => seen(pot)).toEqual([0, 1, 2]);
 });
 
+test("what is left alone is seen and loose, though it was hidden and locked", async () => {
+  const { pot } = await three();
+  const { keyboard } = pot.page;
+  await list(pot).focus();
+  await keyboard.press("End");
+  await keyboard.press("h");
+  await keyboard.press("l");
+  await keyboard.press("Home");
+  await keyboard.press("Shift+ArrowDown");
+  await keyboard.press("Delete");
+  await list(pot).waitFor({ state: "detached" });
+  await expect.poll(() => seen(pot)).toEqual([0]);
+  await pot.undo();
+  await list(pot).waitFor();
+  expect(
+    await options(pot)
+      .filter({ hasText: /hidden|locked/ })
+      .count(),
+  ).toBe(0);
+});
+
 test("of twenty parts the one whose slider is dragged travels to the graphics card, and one that moves does not", async () => {
   const parts = Array.from({ length: 20 }, (_, i) => part(1 + i / 100, { place: { shift: [3 * i, 0, 0] } }));
   const pot = await here.enter({ before: countUploads });

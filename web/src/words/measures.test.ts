@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import type { Measures, Unit } from "../document/types";
 import { waterRange } from "../document/water";
+import { isolated } from "../language";
 import { holdsText, measureGroups } from "./measures";
 
 const q = (value: number, error = 1e-12) => ({ value, error });
@@ -160,6 +161,13 @@ test("a curvature that may as well be nothing is told as 0", () => {
 
 test("in inches what is fired is weighed in pounds too", () => {
   expect(lines(MEASURES, "in")["Mass, fired"]).toBe("207 g (0.456 lb)");
+});
+
+test("of several parts it is said whose wall is told", () => {
+  const titles = (name: string | null) => measureGroups(MEASURES, 0, "cm", false, name).map(({ title }) => title);
+  expect(titles(null).at(-1)).toBe("Wall");
+  expect(titles("Lid").at(-1)).toBe(`Wall of ${isolated("Lid")}`);
+  expect(titles("Lid").slice(0, -1)).toEqual(titles(null).slice(0, -1));
 });
 
 test("errors are there to be told", () => {

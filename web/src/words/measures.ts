@@ -2,6 +2,7 @@
 
 import type { Curvature, Measures, PartMeasures, Quantity, Triple, Unit } from "../document/types";
 import { millilitres } from "../document/volume";
+import { isolated } from "../language";
 import { formatNumber } from "../number";
 import { customaryWords, poundsShown } from "./customary";
 import { measures as said } from "./english/measures";
@@ -53,15 +54,24 @@ export interface Group {
   readonly reason?: string;
 }
 
-/** Everything that was measured; `part` is the one whose wall and curvature are told. Sizes have the digits that the stage shows, unless they are told as exactly as they are known. */
-export function measureGroups(measures: Measures, part: number, unit: Unit, exact = false): readonly Group[] {
+/**
+ * Everything that was measured; `part` is the one whose wall and curvature are told, `name` what it is called where there are others. Sizes have the digits that the stage shows,
+ * unless they are told as exactly as they are known.
+ */
+export function measureGroups(
+  measures: Measures,
+  part: number,
+  unit: Unit,
+  exact = false,
+  name: string | null = null,
+): readonly Group[] {
   const own = measures.parts[part];
   return [
     sizes(measures, unit, exact),
     ...held(measures, unit),
     ...clay(measures, unit),
     ...standing(measures, unit),
-  ].concat(own ? wall(own, unit) : []);
+  ].concat(own ? wall(own, unit, name) : []);
 }
 
 function sizes({ height, width, area }: Measures, unit: Unit, exact: boolean): Group {
@@ -176,7 +186,7 @@ function standing({ centre, tipping, footprint, bottom, width }: Measures, unit:
   return lines.length > 0 ? [{ title: said.standing, lines }] : [];
 }
 
-function wall(part: PartMeasures, unit: Unit): readonly Group[] {
+function wall(part: PartMeasures, unit: Unit, called: string | null): readonly Group[] {
   const { thickness, overhang, overhangInside, curvature } = part;
   const length = (value: number) => lengthWords(value, unit);
   const lines: Line[] = [];
@@ -209,7 +219,7 @@ function wall(part: PartMeasures, unit: Unit): readonly Group[] {
     lines.push(curved(said.mean, mean, quantities.bent[unit]));
     lines.push(curved(said.gaussian, gaussian, quantities.bentTwice[unit]));
   }
-  return [{ title: said.wall, lines }];
+  return [{ title: called === null ? said.wall : said.wallOf(isolated(called)), lines }];
 }
 
 function curved(name: string, { least, greatest }: Curvature, unit: string): Line {

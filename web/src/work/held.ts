@@ -1,6 +1,6 @@
 /** What a hand on whole parts needs to know of them: where they are and how large, as far as the solver has told. */
 
-import { computed, type ReadonlySignal } from "@preact/signals-core";
+import { computed, effect, type ReadonlySignal } from "@preact/signals-core";
 import type { Box } from "../document/box";
 import { boxAround, handy, longestOf, roundStep, tableUnder } from "../document/boxes";
 import { matrixOf, placedAll, type WholePlacement } from "../document/placement";
@@ -93,4 +93,19 @@ export function middlesOf(
 export function boxesOf({ surface }: Pick<Designer, "surface">): ReadonlyMap<PartId, Box> {
   const parts = surface.shown?.solved.parts ?? [];
   return new Map(parts.flatMap(({ id, box }) => (box ? [[id, box] as const] : [])));
+}
+
+/** Does something once all of this is known of the document as it is, or cannot be: of two presses in quick succession the second goes by where the first has put the parts. */
+export async function onceKnown<T>({ surface }: Pick<Designer, "surface">, run: () => T | Promise<T>): Promise<T> {
+  const isKnown = () => surface.settled !== null || surface.status === "error";
+  while (!isKnown()) {
+    let leave = () => {};
+    await new Promise<void>((resolve) => {
+      leave = effect(() => {
+        if (isKnown()) resolve();
+      });
+    });
+    leave();
+  }
+  return await run();
 }

@@ -86,6 +86,35 @@ test("a link over unsaved work asks first, and the address waits for the answer"
   }
 });
 
+test("after a reload parts are in the order in which a person put them, and what is undone is about the same ones", async () => {
+  const page = new Page();
+  const before = bench(page);
+  await before.opening.start();
+  const named = (name: string, h1: number) => ({ ...tall(JAR, h1).parts[0], name });
+  const names = ({ design }: Store) => design.parts.map(({ name }) => name);
+  // In a link the smaller number comes first.
+  await before.opening.openText(JSON.stringify({ ...JAR, parts: [named("Low", 10), named("High", 20)] }));
+  await before.rests();
+  const [first = 0, second = 0] = before.store.ids;
+  const [low, high] = before.store.design.parts;
+  before.store.apply({
+    design: { ...before.store.design, parts: [high, low].filter((part) => part !== undefined) },
+    ids: [second, first],
+    undo: "step",
+  });
+  await before.rests();
+  expect(page.hash).not.toBe("");
+  page.open.clear();
+  const { opening, rests, store } = bench(page);
+  await opening.start();
+  await rests();
+  expect(names(store)).toEqual(["High", "Low"]);
+  const [top] = store.ids;
+  store.undo();
+  expect(names(store)).toEqual(["Low", "High"]);
+  expect(store.ids[1]).toBe(top);
+});
+
 test("a damaged link is told of until a person goes on", async () => {
   const { opening, page, rests, store } = bench(linked(new Page(), "#1/no-such-thing"));
   await opening.start();

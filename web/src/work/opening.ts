@@ -126,18 +126,16 @@ export class Opening {
     const work = await arriving;
     if (linked?.state === "refused") this.#problem.value = linked.refusal;
     const theirs = linked?.state === "done" ? linked.value : null;
-    if (theirs && (!work?.unsaved || work.link === theirs.link)) {
-      await this.#begin(theirs.design, !(work?.unsaved ?? false), work?.link === theirs.link ? work.origin : undefined);
-      await this.#keeper.recall(theirs.link);
-      return;
-    }
-    const mine = work ? await this.#solver.parse(work.text) : null;
+    const differs = theirs && theirs.link !== work?.link;
+    // A link has the parts in an order of its own: of one design the work goes on, in which they stand as a person put them.
+    const mine = work && (work.unsaved || !differs) ? await this.#solver.parse(work.text) : null;
     if (mine?.state === "done") {
       await this.#begin(mine.value.design, !work?.unsaved, work?.origin);
-      if (theirs) this.#conflict.value = { theirs };
+      if (differs) this.#conflict.value = { theirs };
       await this.#keeper.recall(mine.value.link);
     } else {
       await this.#begin(theirs?.design ?? this.#store.design, true);
+      if (theirs) await this.#keeper.recall(theirs.link);
     }
   }
 

@@ -22,12 +22,14 @@ import { selectedIds } from "../../state/seen-actions";
 import { looseIds } from "../../state/several-actions";
 import { standOn } from "../../state/stand-actions";
 import type { Change } from "../../state/store";
+import { icon } from "../../ui/icons";
 import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons, disclosure } from "../../ui/styles";
 import { arranging as words } from "../../words/english/arranging";
+import { handling } from "../../words/english/handling";
 import { parts as partWords } from "../../words/english/parts";
-import { boxesOf, middlesOf } from "../../work/held";
+import { boxesOf, middlesOf, onceKnown } from "../../work/held";
 import { type Course, pushOnto } from "../../work/pushing";
 import { rimsOf } from "../../work/rims";
 
@@ -51,6 +53,18 @@ export class PasuArrange extends DesignerElement {
   @state() private pushing = false;
   @state() private pushed: { readonly said: string; readonly of: Design; readonly selected: string } | null = null;
 
+  /** Which scene that was chosen in, and in which unit: in another these lengths mean nothing. */
+  private chosenIn = "";
+
+  override willUpdate(): void {
+    const { store, surface } = this.designer;
+    const now = `${surface.shown?.framing} ${unitOf(store.design)}`;
+    if (now === this.chosenIn) return;
+    this.chosenIn = now;
+    this.step = null;
+    this.centre = null;
+  }
+
   override render() {
     return html`<details ?open=${this.isOpen} @toggle=${this.toggled}>
       <summary><h3>${words.heading}</h3><span>${words.about}</span></summary>
@@ -63,6 +77,7 @@ export class PasuArrange extends DesignerElement {
     const selected = selectedIds(designer.state);
     const several = selected.length > 1;
     return html`
+      ${this.isLocked ? html`<p class="locked">${icon("locked")} ${handling.locked}</p>` : nothing}
       ${
         several
           ? this.order(selected.length)
@@ -104,7 +119,7 @@ export class PasuArrange extends DesignerElement {
             words.ways[axis] ?? "",
             () => distributeParts(designer.state, this.boxes, axis),
             words.distributeNote,
-            count < 3,
+            count < 3 || this.isLocked,
           ),
         ),
       )}
@@ -129,7 +144,7 @@ export class PasuArrange extends DesignerElement {
     const { designer } = this;
     this.pushing = true;
     this.pushed = null;
-    const became = await pushOnto(designer, course);
+    const became = await onceKnown(designer, () => pushOnto(designer, course));
     this.pushing = false;
     if (became !== "partly" && became !== "nowhere") return;
     const selected = selectedIds(designer.state).join();
@@ -189,7 +204,7 @@ export class PasuArrange extends DesignerElement {
             this.step = step.map((each, i) => (i === axis ? value : each)) as unknown as Triple;
           }),
         )}
-        <div class="row">${this.press(words.makeRow, () => this.checked(rowOfParts(designer.state, this.count, step)))}</div>
+        <div class="row">${this.press(words.makeRow, () => this.checked(rowOfParts(designer.state, this.count, step)), "", false)}</div>
       </div>
       <div role="group" aria-labelledby="ring">
         <h5 id="ring">${words.ring}</h5>
@@ -226,8 +241,12 @@ export class PasuArrange extends DesignerElement {
           ${words.turning}
         </label>
         <div class="row">
-          ${this.press(words.makeRing, () =>
-            this.checked(ringOfParts(designer.state, this.count, (this.angle / 180) * Math.PI, centre, this.turning)),
+          ${this.press(
+            words.makeRing,
+            () =>
+              this.checked(ringOfParts(designer.state, this.count, (this.angle / 180) * Math.PI, centre, this.turning)),
+            "",
+            false,
           )}
         </div>
       </div>
@@ -278,14 +297,18 @@ export class PasuArrange extends DesignerElement {
     </div>`;
   }
 
-  private press(label: string, change: () => Change, note = "", disabled = false) {
-    const none = looseIds(this.designer.state).length === 0;
+  /** What is locked stays; copies of it move nothing. */
+  private get isLocked(): boolean {
+    return looseIds(this.designer.state).length === 0;
+  }
+
+  private press(label: string, change: () => Change, note = "", disabled = this.isLocked) {
     return html`<button
       class="button outlined"
       type="button"
       title=${note === "" ? nothing : note}
-      ?disabled=${disabled || none}
-      @click=${() => this.designer.apply(change())}
+      ?disabled=${disabled}
+      @click=${() => void onceKnown(this.designer, () => this.designer.apply(change()))}
     >
       ${label}
     </button>`;
@@ -338,6 +361,11 @@ export class PasuArrange extends DesignerElement {
         height: 1.05rem;
         margin: 0;
         accent-color: var(--accent);
+      }
+      .locked {
+        padding-top: 6px;
+        color: var(--soft);
+        font-size: 0.88rem;
       }
       .problem {
         color: var(--warn);

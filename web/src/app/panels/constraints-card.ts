@@ -1,7 +1,7 @@
 /** Whether the parts of a scene fit together: one sentence for everything that is wrong, where that is, and what would mend it. */
 
 import { css, html, nothing } from "lit";
-import { customElement, state } from "lit/decorators.js";
+import { customElement, query, state } from "lit/decorators.js";
 import { type Mend, mendsOf, toldOf } from "../../document/breaches";
 import { unitOf } from "../../document/look";
 import type { Breach, Constraints, Design } from "../../document/types";
@@ -28,6 +28,7 @@ export class PasuConstraints extends UnhurriedElement {
   @state() private all = false;
   /** What is being mended. */
   @state() private mending: Breach | null = null;
+  @query("#fit") private readonly heading!: HTMLElement;
 
   /** How tall it was when it knew: while it does not, what lies below stays where it is, and is neither laid out nor painted again. */
   private tall = 0;
@@ -60,7 +61,7 @@ export class PasuConstraints extends UnhurriedElement {
     const { known } = this;
     const { design } = this.designer.store;
     return html`<section aria-labelledby="fit" aria-busy=${known ? "false" : "true"}>
-      <h4 id="fit">${words.heading}</h4>
+      <h4 id="fit" tabindex="-1">${words.heading}</h4>
       ${
         known?.problem
           ? sentences([{ severity: "error", text: refusalWords(known.problem, design) }])
@@ -111,8 +112,8 @@ export class PasuConstraints extends UnhurriedElement {
                   class="button outlined"
                   type="button"
                   data-mend=${mend}
-                  ?disabled=${mending !== null}
-                  @click=${() => void this.mend(mend, breach, design)}
+                  aria-disabled=${mending ? "true" : nothing}
+                  @click=${() => mending || void this.mend(mend, breach, design)}
                 >
                   ${mendWords(mend, breach, design)}
                 </button>`,
@@ -139,13 +140,10 @@ export class PasuConstraints extends UnhurriedElement {
     const { state: now } = designer;
     const [part, other] = [breach.part, breach.other].map((place) => now.ids[place]);
     if (now.design !== design || part === undefined || other === undefined) return;
-    // What is mended goes, and the focus with it.
-    const heading = () =>
-      void this.updateComplete.then(() => this.renderRoot.querySelector<HTMLElement>(".told")?.focus());
     switch (mend) {
       case "glue":
         designer.apply(glueTogether(now, [part, other]));
-        return heading();
+        return this.leave();
       case "separate":
         designer.apply(
           splitOff(
@@ -153,21 +151,28 @@ export class PasuConstraints extends UnhurriedElement {
             breach.group.flatMap((place) => now.ids[place] ?? []),
           ),
         );
-        return heading();
+        return this.leave();
       case "remove":
         if (now.session.locked.includes(part))
           return designer.notices.say(words.lockedPart(nameAt(breach.part, design)));
         designer.apply(deleteParts(now, [part]));
-        return heading();
+        return this.leave();
       case "apart":
       case "together": {
         this.mending = breach;
         const mended = await (mend === "apart" ? moveApart(designer, breach) : moveTogether(designer, breach));
         this.mending = null;
+        if (mended.state === "moved") this.leave();
         const said = this.becameOf(mended, mend, design);
         if (said !== "") designer.notices.say(said);
       }
     }
+  }
+
+  /** What is mended goes, or went a moment ago, and the button that was pressed with it: the focus stays in the card, unless it is elsewhere by now. */
+  private leave(): void {
+    const isLost = document.activeElement === document.body;
+    if (isLost || this.shadowRoot?.activeElement) this.heading.focus({ preventScroll: true });
   }
 
   private becameOf(mended: Mended, mend: Mend, design: Design): string {
@@ -187,6 +192,8 @@ export class PasuConstraints extends UnhurriedElement {
 
   private readonly showAll = (): void => {
     this.all = true;
+    // The button goes: the first of those that were not listed is read next.
+    void this.updateComplete.then(() => this.renderRoot.querySelectorAll<HTMLElement>(".told")[FEW]?.focus());
   };
 
   static override readonly styles = [

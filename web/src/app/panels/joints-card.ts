@@ -40,7 +40,7 @@ export class PasuJoints extends DesignerElement {
     const all = this.jointed();
     if (all.length === 0) return nothing;
     return html`<section aria-labelledby="joints">
-      <h3 id="joints">${words.heading}</h3>
+      <h3 id="joints" tabindex="-1">${words.heading}</h3>
       <p class="note">${words.about}</p>
       ${repeat(
         all,
@@ -128,7 +128,7 @@ export class PasuJoints extends DesignerElement {
             >`
           : nothing
       }
-      <button class="button outlined" type="button" @click=${() => designer.apply(changeJoint(designer.state, id, name, null))}>
+      <button class="button outlined" type="button" @click=${() => void this.takeAway(each)}>
         ${icon("remove")}<span>${words.remove}</span>
       </button>
     </details>`;
@@ -182,6 +182,16 @@ export class PasuJoints extends DesignerElement {
         ${listed.map(([name, axis]) => html`<option .selected=${same(axis, now)}>${words.axes[name]}</option>`)}
       </select></label
     >`;
+  }
+
+  /** The focus stays among the sliders, or where there are no others in what these stood in. */
+  private async takeAway({ id, name }: Jointed): Promise<void> {
+    const { designer } = this;
+    designer.apply(changeJoint(designer.state, id, name, null));
+    await this.updateComplete;
+    const around = this.getRootNode() as ShadowRoot;
+    const heading = this.renderRoot.querySelector<HTMLElement>("#joints");
+    (heading ?? around.querySelector<HTMLElement>("[role=listbox], summary"))?.focus({ preventScroll: true });
   }
 
   /** The joint as it is when something happens to it. */

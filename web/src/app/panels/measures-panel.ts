@@ -18,6 +18,7 @@ import "./water-control";
 import { measures } from "../../words/english/measures";
 import { page } from "../../words/english/page";
 import { type Group, type Line, measureGroups } from "../../words/measures";
+import { partName } from "../../words/parts";
 import { refusalWords } from "../../words/refusals";
 import { verdictNow } from "../../work/verdict";
 
@@ -68,7 +69,9 @@ export class PasuMeasures extends DesignerElement {
         : html`<p class="wait">${page.checking}</p>`;
     }
     const old = !made?.isOfNow(piece);
-    const groups = measureGroups(piece.value, now.part, unitOf(piece.of), this.exact);
+    const { parts } = now.design;
+    const name = parts.length > 1 ? partName(now.part, parts[now.part]?.name) : null;
+    const groups = measureGroups(piece.value, now.part, unitOf(piece.of), this.exact, name);
     return html`
       <div class="bar">
         <h3>${measures.heading} ${old ? html`<span class="wait">${page.checking}</span>` : nothing}</h3>

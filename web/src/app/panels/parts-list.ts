@@ -142,6 +142,18 @@ export class PasuParts extends UnhurriedElement {
     </section>`;
   }
 
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    queueMicrotask(() => this.release());
+  }
+
+  /** What is left alone is seen and loose: without this list nobody could show or unlock it. */
+  private release(): void {
+    const { ids, session } = this.designer.store;
+    if (ids.length > 1 || session.hidden.length + session.locked.length === 0) return;
+    this.designer.apply({ undo: "none", session: { hidden: [], locked: [] } });
+  }
+
   /** Brings the selected part into the list's view when another one was selected, without moving the panel. */
   override updated(): void {
     const { ids, part } = this.designer.store;

@@ -54,7 +54,7 @@ interface Ask {
 @customElement("pasu-place")
 export class PasuPlace extends UnhurriedElement {
   override render() {
-    const { design, part: at } = this.designer.state;
+    const { design, ids, part: at } = this.designer.state;
     const part = design.parts[at];
     if (!part) return html``;
     const place: WholePlacement = { ...UNMOVED, ...part.place };
@@ -71,8 +71,11 @@ export class PasuPlace extends UnhurriedElement {
     const box = solved?.parts[at]?.box;
     const step = stepUnder(MOST_STEP, (box ? longestOf(box) : width) / STEPS);
     const grows = stepUnder(MOST_GROWTH, largest / STEPS);
+    const locked = this.designer.store.session.locked.includes(ids[at] ?? -1);
     return html`<details ?open=${isLength}>
       <summary><h3>${words.heading}</h3><span>${words.about}</span></summary>
+      ${locked ? html`<p class="locked">${icon("locked")} ${words.locked}</p>` : nothing}
+      <div ?inert=${locked}>
       ${AXES.map((axis) =>
         this.number({
           key: `scale-${axis}`,
@@ -146,6 +149,7 @@ export class PasuPlace extends UnhurriedElement {
       >
         ${words.reset}
       </button>
+      </div>
       ${design.parts.length === 1 ? html`<pasu-joints .designer=${this.designer}></pasu-joints>` : nothing}
     </details>`;
   }
@@ -231,6 +235,13 @@ export class PasuPlace extends UnhurriedElement {
       details {
         border-top: 1px solid var(--line);
         padding: 4px 0 12px;
+      }
+      .locked {
+        color: var(--soft);
+        font-size: 0.84rem;
+      }
+      [inert] {
+        opacity: 0.5;
       }
       .jointed {
         display: grid;

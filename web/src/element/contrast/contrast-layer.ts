@@ -143,8 +143,11 @@ export class PasuContrast extends DesignerElement {
     this.isOpen = !this.isOpen;
   };
 
+  /** The focus goes back to the stage that this lies on. */
   private readonly close = (): void => {
+    const { host } = this.getRootNode() as ShadowRoot;
     this.designer.contrast.close();
+    (host as HTMLElement).focus({ preventScroll: true });
   };
 
   static override readonly styles = [

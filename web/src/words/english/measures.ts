@@ -37,6 +37,8 @@ export const measures = phrases("measures", {
   tips: "Tips when tilted by",
   tipsFull: "Tips when full, by",
   wall: "Wall",
+  /** Of the part that is selected: all else is told of all parts together. */
+  wallOf: (part: string) => `Wall of ${part}`,
   thickness: "Thickness",
   range: (least: string, greatest: string) => `${least} to ${greatest}`,
   askedFor: (thickness: string) => `${thickness} was asked for`,

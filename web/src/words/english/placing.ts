@@ -16,5 +16,6 @@ export const placing = phrases("placing", {
   degree: "°",
   axis: ["Axis x", "Axis y", "Axis z"],
   reset: "Put it back",
+  locked: "It is locked where it stands.",
   resetNote: "Where it was before it was scaled, turned or moved.",
 });
