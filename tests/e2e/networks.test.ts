@@ -224,6 +224,31 @@ test("where nothing is picked no number stands, and one that nothing has is told
   expect(await patch.inputValue()).toBe("1");
 });
 
+test("digits on the way to a number pick nothing beside it", async () => {
+  const { pot } = await openCan();
+  const { page } = pot;
+  const status = page.locator("pasu-network-panel .told").first();
+  await pot.button("Pick several").click();
+  await pot.type("Point", "7");
+  await pot.field("Point").click();
+  await page.keyboard.type("23");
+  await page.keyboard.press("Enter");
+  await expect.poll(() => status.innerText()).toMatch(/^2 points and 0 patches/);
+  expect(await item(pot, "vertex 1").getAttribute("aria-pressed")).toBe("false");
+  // 10 there is, 100 there is none.
+  await pot.field("Point").click();
+  await page.keyboard.type("100");
+  await page.getByText("Points have the numbers").waitFor();
+  await expect.poll(() => status.innerText()).toMatch(/^2 points and 0 patches/);
+  await page.keyboard.press("Enter");
+  await pot.button("None").click();
+  await pot.field("Patch").click();
+  await page.keyboard.type("12");
+  await page.keyboard.press("Enter");
+  await expect.poll(() => status.innerText()).toMatch(/^8 points and 1 patch /);
+  expect(await item(pot, "patch 11").getAttribute("aria-pressed")).toBe("true");
+});
+
 test("the ends of a region are typed digit by digit, and one that would pass the other is told", async () => {
   const { pot, plain } = await opened();
   await pot.type("Patch", "1");
