@@ -569,8 +569,15 @@ test("a vase becomes patches, no further off than is said", { timeout: 120_000 }
   await expect.poll(() => found.innerText(), { timeout: 30_000 }).toMatch(/^No further than [\d.]+ cm from the form/);
   const off = async () => Number(/[\d.]+/.exec(await found.innerText())?.[0]);
   const coarse = await off();
-  await pot.type("Patches round", "24");
+  // Digit by digit: fewer than 3 there cannot be.
+  await pot.field("Patches round").click();
+  await pot.page.keyboard.type("24");
+  await pot.page.keyboard.press("Tab");
+  expect(await pot.field("Patches round").inputValue()).toBe("24");
+  await pot.type("Patches from end to end", "130");
+  await pot.page.getByText("It has to be a whole number from 1 to 120.").waitFor();
   await pot.type("Patches from end to end", "12");
+  expect(await pot.page.getByText("It has to be a whole number").count()).toBe(0);
   await expect.poll(off).toBeLessThan(coarse);
   expect(await findings(pot)).toEqual([]);
   await pot.button("Use it").click();

@@ -8,6 +8,7 @@ import { spanOf } from "../../document/network/span";
 import type { Part, Shape } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import type { WovenShape } from "../../maker/woven";
+import { formatNumber } from "../../number";
 import { card } from "../../ui/card";
 import { cells } from "../../ui/cells";
 import "../../ui/number-field";
@@ -35,6 +36,8 @@ export class PasuPatchCard extends DesignerElement {
   @state() private rows = 6;
   /** As many as the waves of the form take until somebody says otherwise. */
   @state() private columns: number | null = null;
+  /** Which count was typed to what none can be. */
+  @state() private astray: "rows" | "columns" | null = null;
   private asked: Shape | null = null;
 
   override willUpdate(): void {
@@ -70,13 +73,27 @@ export class PasuPatchCard extends DesignerElement {
         .label=${label}
         .value=${this[key] ?? this.seeking.ready?.columns ?? 0}
         .step=${1}
+        .problem=${this.astray === key ? words.noSuchCount(formatNumber(least), formatNumber(MOST)) : ""}
+        @input=${this.typing}
         @number-change=${({ value }: NumberChangeEvent) => {
-          this[key] = Math.min(Math.max(Math.round(value), least), MOST);
+          // What is typed stays as it is: a digit alone may be on the way to a number that can be.
+          const isOne = Number.isInteger(value) && value >= least && value <= MOST;
+          this.astray = isOne ? null : key;
+          if (!isOne) return;
+          this[key] = value;
           if (this.asked) this.ask(this.asked);
         }}
       ></pasu-number
     ></span>`;
   }
+
+  /** Before it is read: it may be the number that there is. */
+  private readonly typing = {
+    capture: true,
+    handleEvent: () => {
+      this.astray = null;
+    },
+  };
 
   private get useful(): Found | null {
     const { ready } = this.seeking;

@@ -138,6 +138,7 @@ export const networks = phrases("networks", {
     "A network through points of this form, to pull a spout out of it or to dent it. It goes without its wall.",
   columns: "Patches round",
   rows: "Patches from end to end",
+  noSuchCount: (least: string, most: string) => `It has to be a whole number from ${least} to ${most}.`,
   apart: (distance: string) => `No further than ${distance} from the form, at the same parameters.`,
   use: "Use it",
   leave: "Leave it",
