@@ -249,6 +249,44 @@ test("digits on the way to a number pick nothing beside it", async () => {
   expect(await item(pot, "patch 11").getAttribute("aria-pressed")).toBe("true");
 });
 
+test("a place is typed digit by digit through the mirror, and what stands in it says that it stays", async () => {
+  const { pot, plain } = await opened();
+  const { page } = pot;
+  await page.getByLabel("Mirror").selectOption("x");
+  await pot.type("Point", "8");
+  const x = page.locator("pasu-network-place").getByRole("spinbutton", { name: "x", exact: true });
+  const typed = async (text: string) => {
+    await x.click();
+    await page.keyboard.type(text);
+    await page.keyboard.press("Enter");
+  };
+  // On the way to it stands a 0, where it would meet its image.
+  await typed("-0.5");
+  await pot.fingerprintOtherThan(plain);
+  await expect.poll(() => x.inputValue()).toBe("\u22120.5");
+  await pot.type("Point", "4");
+  await expect.poll(() => x.inputValue()).toBe("0.5");
+  await pot.undo();
+  await pot.shows(plain);
+  await pot.type("Point", "2");
+  await typed("3");
+  await page.getByText("What stands in the mirror stays there.").waitFor();
+  await page.keyboard.press("Tab");
+  expect(await x.inputValue()).toBe("0");
+  await pot.shows(plain);
+});
+
+test("the middle of what goes round an axis is on it, whatever rounding leaves", async () => {
+  const { pot } = await openCan();
+  await pot.button("All").click();
+  const place = pot.page.locator("pasu-network-place").getByRole("spinbutton");
+  expect(await place.evaluateAll((all) => all.map((each) => each.getAttribute("aria-valuenow")))).toEqual([
+    "0",
+    "0",
+    "5",
+  ]);
+});
+
 test("the ends of a region are typed digit by digit, and one that would pass the other is told", async () => {
   const { pot, plain } = await opened();
   await pot.type("Patch", "1");

@@ -51,6 +51,7 @@ export const networks = phrases("networks", {
     Record<Axis, string>
   >,
   noMirror: "None",
+  inMirror: "What stands in the mirror stays there.",
   place: ["x", "y", "z"] as const,
   placeHelp: "Where the point is, or the middle of those that are picked.",
   build: "Build",
