@@ -287,6 +287,21 @@ test("the middle of what goes round an axis is on it, whatever rounding leaves",
   ]);
 });
 
+test("arrow keys keep to the grid", async () => {
+  const { pot, plain } = await opened();
+  const { page } = pot;
+  await points(pot);
+  await page.getByLabel("To a grid of").check();
+  await item(pot, "vertex 1").focus();
+  await page.keyboard.press("ArrowRight");
+  const once = await pot.fingerprintOtherThan(plain);
+  await page.keyboard.press("ArrowUp");
+  await pot.fingerprintOtherThan(once);
+  const [x, y, z] = [await number(pot, "x"), await number(pot, "y"), await number(pot, "z")];
+  expect([x, y, z].map((each) => (2 * each) % 1)).toEqual([0, 0, 0].map((zero) => expect.closeTo(zero, 9)));
+  expect([x, y, z]).not.toEqual([0, -7, 3]);
+});
+
 test("the ends of a region are typed digit by digit, and one that would pass the other is told", async () => {
   const { pot, plain } = await opened();
   await pot.type("Patch", "1");

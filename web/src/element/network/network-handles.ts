@@ -11,7 +11,6 @@ import {
   middleOf,
   moved,
   scaleBy,
-  shiftBy,
   turnBy,
 } from "../../document/network/moving";
 import { type Network, sizeOf } from "../../document/network/network";
@@ -34,7 +33,7 @@ import { type NetworkDesk, networkDesk, networkOf, stepOf } from "../../work/net
 import { followed } from "../blend/grip-pull";
 import { DesignerElement } from "../designer-element";
 import { Lent } from "../lent";
-import { acrossView, type Grasp, moving, scaling, towardsEye, turning } from "./dragging";
+import { acrossView, type Grasp, moving, scaling, shifting, towardsEye, turning } from "./dragging";
 import {
   around,
   type Colours,
@@ -500,20 +499,22 @@ export class PasuNetworkHandles extends DesignerElement {
     }
     const picks = isPicked(was, item) ? was : toggled(network, was, item, this.desk.settings.several);
     if (picks !== was) this.desk.pick(network, picks);
-    const grasp = this.grasp(network, picks, item, null, see, { x: 0, y: 0 });
+    const held = item.kind === "vertex" ? (network.vertices[item.index] ?? null) : null;
+    const grasp = this.grasp(network, picks, item, held, see, { x: 0, y: 0 });
     this.change(network, picks, this.nudge(grasp, arrow, times), `keys ${nameOf(item)}`);
     const now = this.network;
     if (now && item.kind === "vertex") this.spoken = this.reading(now, item.index);
   }
 
-  private nudge({ see, pivot, way, size, grid }: Grasp, [right, up]: readonly [number, number], times: number): Motion {
+  private nudge(grasp: Grasp, [right, up]: readonly [number, number], times: number): Motion {
+    const { see, pivot, way, size, grid } = grasp;
     const { motion } = this.desk.settings;
     if (motion === "turn") return turnBy(pivot, way ?? towardsEye(see, pivot, size), -(right - up) * times * TURN);
     if (motion === "scale") return scaleBy(pivot, SCALE ** (times * (right + up)), way);
     const step = times * (grid ?? Number((size / STEPS).toPrecision(1)));
-    if (way) return shiftBy([way[0] * step * (right + up), way[1] * step * (right + up), way[2] * step * (right + up)]);
-    const along = unit(acrossView(see, pivot, size, { x: right, y: -up })) ?? [0, 0, 0];
-    return shiftBy([along[0] * step, along[1] * step, along[2] * step]);
+    const along = way ?? unit(acrossView(see, pivot, size, { x: right, y: -up })) ?? [0, 0, 0];
+    const far = way ? step * (right + up) : step;
+    return shifting(grasp, [along[0] * far, along[1] * far, along[2] * far]);
   }
 
   private raiseBy(network: Network, item: Extract<Item, { kind: "crest" }>, far: number): void {
