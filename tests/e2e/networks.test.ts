@@ -592,6 +592,15 @@ test("a region is drawn across patches and pulled, and its numbers follow", { ti
   const { page } = pot;
   await page.getByRole("radio", { name: "draws a region" }).check();
   const [x, y] = await middle(pot, "patch 11");
+  // A click is none, and neither is what ends beside the surface.
+  await page.mouse.click(x - 18, y - 22);
+  await page.getByText("A region is drawn from one of its corners to the other").waitFor();
+  await page.mouse.move(x, y - 22);
+  await page.mouse.down();
+  await page.mouse.move(x - 20, y - 24);
+  await page.mouse.move(30, 90);
+  await page.mouse.up();
+  await pot.shows(plain);
   await page.mouse.move(x - 18, y - 22);
   await page.mouse.down();
   await page.mouse.move(x + 24, y + 20, { steps: 5 });

@@ -412,7 +412,8 @@ export class PasuNetworkHandles extends DesignerElement {
   private finish(held: Held, network: Network): void {
     const { item, begun, picks, grasp, now } = held;
     if (begun) {
-      this.sculpt(held, begun);
+      // A click is no region: what is as narrow as can be would be a spike.
+      if (!held.moves || !this.sculpt(held, begun)) this.designer.notices.say(words.noRegion);
       return;
     }
     if (!item) {
@@ -430,11 +431,11 @@ export class PasuNetworkHandles extends DesignerElement {
     this.desk.pick(network, toggled(network, picks, item, held.more));
   }
 
-  /** A force on the rectangle that was drawn, which rises a little: its crest is there to be pulled. */
-  private sculpt({ network, grasp, now }: Held, begun: NonNullable<Held["begun"]>): void {
+  /** A force on the rectangle that was drawn, which rises a little: its crest is there to be pulled. Whether the hand ended on the surface, where there can be one. */
+  private sculpt({ network, grasp, now }: Held, begun: NonNullable<Held["begun"]>): boolean {
     const patch = network.patches[begun.patch];
     const end = this.endOf(network, begun.patch, grasp.see, now);
-    if (!patch || !end) return;
+    if (!patch || !end) return false;
     const normal = normalOn(network, begun.patch, ...begun.at) ?? [0, 0, 1];
     const eye = towardsEye(grasp.see, grasp.at, grasp.size);
     const out = normal[0] * eye[0] + normal[1] * eye[1] + normal[2] * eye[2] < 0 ? -1 : 1;
@@ -447,6 +448,7 @@ export class PasuNetworkHandles extends DesignerElement {
     const after = this.network;
     if (after) this.desk.pick(after, withPatch(after, { vertices: new Set(), patches: new Set() }, begun.patch, false));
     this.desk.set({ touch: "view" });
+    return true;
   }
 
   /** Where a region ends: on the patches round the one that it begins on, laid flat. */

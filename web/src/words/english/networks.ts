@@ -109,6 +109,7 @@ export const networks = phrases("networks", {
   falloff: "Falls off",
   falloffs: { smooth: "smoothly", sine: "with a crease at its rim" },
   region: "Draw a region on the stage",
+  noRegion: "A region is drawn from one of its corners to the other, both on the surface and few patches apart.",
   file: "Files",
   fileAbout: "As OBJ: faces of four corners, whose edges get middles, or of eight points. Forces stay with the design.",
   saveObj: "Save as OBJ",
