@@ -302,6 +302,20 @@ test("arrow keys keep to the grid", async () => {
   expect([x, y, z]).not.toEqual([0, -7, 3]);
 });
 
+test("crests of several patches are told apart, and what is no choice is not pressed", async () => {
+  const { pot } = await openCan();
+  for (const patch of ["8", "16"]) {
+    await pot.type("Patch", patch);
+    await pot.button("Add a force").click();
+  }
+  await pot.button("All").click();
+  const crests = pot.page.locator('pasu-network-handles [data-item^="crest"]');
+  const told = () => crests.evaluateAll((all) => all.map((each) => each.getAttribute("aria-label")));
+  await expect.poll(told).toEqual(["Crest of force 1, Patch 8", "Crest of force 1, Patch 16"]);
+  expect(await crests.first().getAttribute("aria-pressed")).toBeNull();
+  expect(await item(pot, "pivot").getAttribute("aria-pressed")).toBeNull();
+});
+
 test("the ends of a region are typed digit by digit, and one that would pass the other is told", async () => {
   const { pot, plain } = await opened();
   await pot.type("Patch", "1");

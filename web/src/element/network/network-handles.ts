@@ -172,12 +172,12 @@ export class PasuNetworkHandles extends DesignerElement {
       <canvas class="behind" aria-hidden="true"></canvas>
       <canvas class="front" aria-hidden="true"></canvas>
       <div class="handles" role="group" aria-label=${words.handles} aria-describedby="keys">
-        ${picks.vertices.size > 1 ? this.handle({ kind: "pivot" }, words.pivot(picks.vertices.size), true) : nothing}
+        ${picks.vertices.size > 1 ? this.handle({ kind: "pivot" }, words.pivot(picks.vertices.size), null) : nothing}
         ${shown.map((index) => this.handle({ kind: "vertex", index }, this.reading(network, index), picks.vertices.has(index)))}
         ${patches.map((index) => this.handle({ kind: "patch", index }, words.patch(formatNumber(index + 1)), picks.patches.has(index)))}
         ${[...picks.patches].flatMap((patch) =>
           (network.patches[patch]?.forces ?? []).map((_, index) =>
-            this.handle({ kind: "crest", patch, index }, words.crest(formatNumber(index + 1)), false),
+            this.handle({ kind: "crest", patch, index }, this.crestOf(picks, patch, index), null),
           ),
         )}
       </div>
@@ -200,13 +200,20 @@ export class PasuNetworkHandles extends DesignerElement {
     return networkOf(this.designer);
   }
 
-  private handle(item: Item, label: string, picked: boolean) {
+  /** Of forces of several patches it is told which one's they are. */
+  private crestOf({ patches }: Picks, patch: number, index: number): string {
+    const crest = words.crest(formatNumber(index + 1));
+    return patches.size > 1 ? words.crestOf(crest, words.patch(formatNumber(patch + 1))) : crest;
+  }
+
+  /** What can be picked or left out is pressed or not; what is there as long as it can be dragged is neither. */
+  private handle(item: Item, label: string, picked: boolean | null) {
     return html`<button
       type="button"
       class=${item.kind}
       data-item=${nameOf(item)}
       aria-roledescription=${pull.handle}
-      aria-pressed=${picked ? "true" : "false"}
+      aria-pressed=${picked === null ? nothing : picked ? "true" : "false"}
       aria-label=${label}
       @keydown=${(event: KeyboardEvent) => this.key(event, item)}
       @keyup=${() => this.designer.store.endGesture()}

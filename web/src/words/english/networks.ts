@@ -135,6 +135,7 @@ export const networks = phrases("networks", {
   pivot: (count: number) => `Middle of ${points(count)}`,
   patch: (number: string) => `Patch ${number}`,
   crest: (number: string) => `Crest of force ${number}`,
+  crestOf: (crest: string, patch: string) => `${crest}, ${patch}`,
   become: "Make it patches",
   becomeAbout:
     "A network through points of this form, to pull a spout out of it or to dent it. It goes without its wall.",
