@@ -829,6 +829,29 @@ test("a large network that is dragged, undone and dragged again is drawn as one 
   await pot.leave();
 });
 
+test("keys go on with the point of a large network that was clicked", async () => {
+  const { pot, plain } = await sheetAtHand();
+  interface Points {
+    placed: { item: { kind: string }; seen: { x: number; y: number } }[];
+  }
+  const spots = pot.page.locator("pasu-network-handles");
+  const seen = () =>
+    spots.evaluate((element) => {
+      const { left, top } = element.getBoundingClientRect();
+      const found = (element as unknown as Points).placed.filter(({ item: { kind } }) => kind === "vertex");
+      const { seen: spot } = found[Math.floor(found.length / 2)] ?? {};
+      return spot ? { x: left + spot.x, y: top + spot.y } : null;
+    });
+  await expect.poll(seen).not.toBeNull();
+  const { x = 0, y = 0 } = (await seen()) ?? {};
+  await pot.page.mouse.click(x, y);
+  await pot.page.getByText("1 point and 0 patches picked").waitFor();
+  const held = pot.page.locator("pasu-network-handles button:focus");
+  await expect.poll(() => held.count()).toBe(1);
+  await pot.page.keyboard.press("ArrowUp");
+  await pot.fingerprintOtherThan(plain);
+});
+
 test("a hand on a large network has its points and their numbers drawn, and nothing else of the page", async () => {
   const { pot, plain, middle, large } = await sheetAtHand();
   await countDrawn(pot);

@@ -273,14 +273,20 @@ export class PasuNetworkHandles extends DesignerElement {
       now: from,
       moves: false,
     };
-    if (item)
-      this.renderRoot.querySelector<HTMLElement>(`[data-item="${nameOf(item)}"]`)?.focus({ preventScroll: true });
+    if (item) void this.focusOn(item);
     if (event.pointerType !== "mouse" && (item?.kind === "vertex" || item?.kind === "patch"))
       this.resting = setTimeout(() => this.rest(), RESTS_MS);
     window.addEventListener("pointermove", this.move);
     window.addEventListener("pointerup", this.release);
     window.addEventListener("pointercancel", this.release);
   };
+
+  /** Of very many points those that are picked alone have a handle, which comes with the next drawing: keys go on where a hand has clicked. */
+  private async focusOn(item: Item): Promise<void> {
+    const handle = () => this.renderRoot.querySelector<HTMLElement>(`[data-item="${nameOf(item)}"]`);
+    if (!handle()) await this.updateComplete;
+    handle()?.focus({ preventScroll: true });
+  }
 
   /** A finger or a pen rests on a point: it is picked beside those before, and all of them can be dragged; or it is left out of them, and nothing is held. */
   private rest(): void {
