@@ -316,6 +316,19 @@ test("crests of several patches are told apart, and what is no choice is not pre
   expect(await item(pot, "pivot").getAttribute("aria-pressed")).toBeNull();
 });
 
+test("grids and sliders that reach nowhere are told", async () => {
+  const { pot } = await opened();
+  const told = pot.page.getByText("It has to be more than 0.");
+  await pot.type("Grid", "-1");
+  await expect.poll(() => told.count()).toBe(1);
+  await pot.type("Patch", "1");
+  await pot.type("Sliders reach to", "0");
+  await expect.poll(() => told.count()).toBe(2);
+  await pot.type("Sliders reach to", "5");
+  await pot.type("Grid", "0.25");
+  await expect.poll(() => told.count()).toBe(0);
+});
+
 test("the ends of a region are typed digit by digit, and one that would pass the other is told", async () => {
   const { pot, plain } = await opened();
   await pot.type("Patch", "1");

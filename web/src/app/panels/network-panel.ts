@@ -49,6 +49,8 @@ export class PasuNetworkPanel extends DesignerElement {
   private typedFrom: Picks | null = null;
   /** Which number was typed that nothing has, while that was picked. */
   @state() private astray: { readonly label: string; readonly picks: Picks } | null = null;
+  /** Whether a grid without a step was typed. */
+  @state() private isTooLittle = false;
   readonly #unit = computed(() => unitOf(this.designer.store.design));
 
   override render() {
@@ -263,7 +265,11 @@ export class PasuNetworkPanel extends DesignerElement {
           .unit=${unit}
           .value=${step}
           .step=${Number((step / 5).toPrecision(1))}
-          @number-change=${({ value }: NumberChangeEvent) => value > 0 && desk.set({ step: value })}
+          .problem=${this.isTooLittle ? words.tooLittle : ""}
+          @number-change=${({ value }: NumberChangeEvent) => {
+            this.isTooLittle = !(value > 0);
+            if (value > 0) desk.set({ step: value });
+          }}
         ></pasu-number>
         <label class="check">
           <input type="checkbox" .checked=${meet} @change=${() => desk.set({ meet: !meet })} /><span>${words.meet}</span>

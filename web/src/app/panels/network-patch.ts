@@ -36,6 +36,8 @@ export class PasuNetworkPatch extends DesignerElement {
   @state() private apart: ReadonlySet<string> = new Set();
   /** Which end of a region was typed to where none can be, and what is said of it until a number of the patch changes. */
   @state() private astray: { readonly field: string; readonly of: Patch; readonly said: string } | null = null;
+  /** Of which sliders it was typed that they reach nowhere. */
+  @state() private tooLittle: "magnification" | "strength" | null = null;
 
   override render() {
     const framed = framedNetwork(this.designer);
@@ -96,7 +98,11 @@ export class PasuNetworkPatch extends DesignerElement {
         .qualifier=${key === "strength" ? words.strength : ""}
         .value=${desk.settings[key]}
         .step=${1}
-        @number-change=${({ value }: NumberChangeEvent) => value > 0 && desk.set({ [key]: value })}
+        .problem=${this.tooLittle === key ? words.tooLittle : ""}
+        @number-change=${({ value }: NumberChangeEvent) => {
+          this.tooLittle = value > 0 ? null : key;
+          if (value > 0) desk.set({ [key]: value });
+        }}
       ></pasu-number
     ></span>`;
   }
