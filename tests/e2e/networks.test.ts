@@ -316,6 +316,43 @@ test("crests of several patches are told apart, and what is no choice is not pre
   expect(await item(pot, "pivot").getAttribute("aria-pressed")).toBeNull();
 });
 
+test("a force is added to all picked patches, each pushed out by its own normal, and the focus stays when it goes", async () => {
+  const { pot, plain } = await openCan();
+  const { page } = pot;
+  // Over against each other.
+  await pot.button("Pick several").click();
+  await pot.type("Patch", "7");
+  await pot.type("Patch", "5");
+  await page.getByText("The numbers are those of patch 7.").waitFor();
+  await pot.button("Add a force").click();
+  const pushed = await pot.fingerprintOtherThan(plain);
+  const forces = () =>
+    page.evaluate(() => {
+      interface Page {
+        designer: { store: { design: { parts: { shape: { patches: { forces?: { f0: number[] }[] }[] } }[] } } };
+      }
+      const { designer } = document.querySelector("pasu-app") as unknown as Page;
+      const { patches = [] } = designer.store.design.parts[0]?.shape ?? {};
+      return patches.flatMap(({ forces: all }, patch) => (all ? [{ patch, x: Math.sign(all[0]?.f0[0] ?? 0) }] : []));
+    });
+  const [one, other] = await forces();
+  expect([one?.patch, other?.patch]).toEqual([4, 6]);
+  expect([1, -1]).toContain(one?.x);
+  expect(one?.x).toBe(-(other?.x ?? 0));
+  await pot.type("Height, force 1", "0.75");
+  await pot.fingerprintOtherThan(pushed);
+  expect(await number(pot, "Height, force 1")).toBe(0.75);
+  const [low, high] = await forces();
+  expect(low?.x).toBe(-(high?.x ?? 0));
+  await pot.button("Add a force").click();
+  for (const next of ["Remove force 1", "Add a force"]) {
+    await pot.button("Remove force 1").focus();
+    await page.keyboard.press("Enter");
+    await expect.poll(() => pot.button(next).evaluate((button) => button.matches(":focus"))).toBe(true);
+  }
+  await pot.shows(plain);
+});
+
 test("grids and sliders that reach nowhere are told", async () => {
   const { pot } = await opened();
   const told = pot.page.getByText("It has to be more than 0.");
