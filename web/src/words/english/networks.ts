@@ -57,7 +57,7 @@ export const networks = phrases("networks", {
   build: "Build",
   builds: {
     extrude: { name: "Extrude", help: "A patch on every free edge whose middle is picked." },
-    split: { name: "Split", help: "Divides the strip across the edge whose middle is picked." },
+    split: { name: "Split", help: "Divides every strip across an edge whose middle is picked." },
     bridge: { name: "Bridge", help: "Joins two picked rims of as many edges." },
     fill: { name: "Fill", help: "Closes a hole of four picked edges." },
     remove: { name: "Delete", help: "Takes the picked patches away." },
