@@ -690,7 +690,9 @@ test("a region is drawn across patches and pulled, and its numbers follow", { ti
 test("a vase becomes patches, no further off than is said", { timeout: 120_000 }, async () => {
   const pot = await here.enter({ link: "#1/fourth-order?r0=3&r1=2&rm=4&h1=9" });
   const vase = await pot.fingerprint();
-  await pot.button("Make it patches…").click();
+  await pot.button("Make it patches…").focus();
+  await pot.page.keyboard.press("Enter");
+  await expect.poll(() => pot.page.locator("pasu-patch-card section:focus").count()).toBe(1);
   const found = pot.page.locator("pasu-patch-card .found");
   await expect.poll(() => found.innerText(), { timeout: 30_000 }).toMatch(/^No further than [\d.]+ cm from the form/);
   const off = async () => Number(/[\d.]+/.exec(await found.innerText())?.[0]);
@@ -706,8 +708,10 @@ test("a vase becomes patches, no further off than is said", { timeout: 120_000 }
   expect(await pot.page.getByText("It has to be a whole number").count()).toBe(0);
   await expect.poll(off).toBeLessThan(coarse);
   expect(await findings(pot)).toEqual([]);
-  await pot.button("Use it").click();
+  await pot.button("Use it").focus();
+  await pot.page.keyboard.press("Enter");
   await pot.fingerprintOtherThan(vase);
+  await expect.poll(() => pot.page.locator("pasu-network-panel .intro button:focus").count()).toBe(1);
   expect(await told(pot)).toContain("288 patches");
   await pot.undo();
   await pot.shows(vase);

@@ -48,7 +48,7 @@ export class PasuPatchCard extends DesignerElement {
   }
 
   override render() {
-    return html`<section aria-labelledby="become">
+    return html`<section aria-labelledby="become" tabindex="-1">
       <h3 id="become">${words.become}</h3>
       <p class="lead">${words.becomeAbout}</p>
       <div class="two">${this.count(words.columns, "columns", 3)}${this.count(words.rows, "rows", 1)}</div>
@@ -58,6 +58,11 @@ export class PasuPatchCard extends DesignerElement {
         <button class="button outlined" type="button" @click=${this.leave}>${words.leave}</button>
       </div>
     </section>`;
+  }
+
+  /** What was pressed to come here is gone. A field would bring up the keys of a phone. */
+  override firstUpdated(): void {
+    this.renderRoot.querySelector<HTMLElement>("section")?.focus();
   }
 
   private get chosen(): Part | undefined {
@@ -138,7 +143,9 @@ export class PasuPatchCard extends DesignerElement {
     const parts = design.parts.map((each, place) => (place === part ? { ...rest, shape: useful.shape } : each));
     designer.apply({ design: { ...design, parts }, undo: "step" });
     designer.notices.say(words.apart(spokenLength(useful.distance, unitOf(design), DIGITS)));
+    const root = this.getRootNode() as ShadowRoot;
     this.leave();
+    void focusOnNetwork(root);
   };
 
   private readonly leave = (): void => {
@@ -162,6 +169,14 @@ export class PasuPatchCard extends DesignerElement {
       }
     `,
   ];
+}
+
+/** The card is gone with the form: the focus goes on to what stands in its place. */
+async function focusOnNetwork(root: ShadowRoot): Promise<void> {
+  await import("./network-panel");
+  const panel = root.querySelector("pasu-network-panel");
+  await panel?.updateComplete;
+  panel?.renderRoot.querySelector("button")?.focus();
 }
 
 declare global {
