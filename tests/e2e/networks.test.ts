@@ -55,6 +55,7 @@ test("an open network gets a thickness, is a body that is exported, and says whe
   const panel = pot.page.locator("pasu-wall");
   expect(await panel.getByRole("spinbutton").evaluateAll((all) => all.map((each) => each.ariaLabel))).toHaveLength(1);
   expect(await panel.getByRole("checkbox").count()).toBe(0);
+  expect(await panel.locator("pasu-number #help").innerText()).not.toContain("thinned");
   expect(await findings(pot)).toEqual([]);
   // The stage shows it: the other side and the rims beside the network.
   await fineWall(pot);
