@@ -62,6 +62,7 @@ test("an open network gets a thickness, is a body that is exported, and says whe
   expect(await wallOnStage(pot)).toEqual({ faces: 2, sides: ["inside"] });
   await pot.tab("Measures");
   await pot.page.getByText("The mesh is closed").waitFor();
+  await pot.page.getByText("no foot and no rim, between which it would be found how much it holds").first().waitFor();
   await pot.tab("Wall");
   // A leaf that is bent is turned over by a wall thicker than it is wide.
   await pot.type("Thickness", "40");
