@@ -908,6 +908,44 @@ test("keys go on with the point of a large network that was clicked", async () =
   await pot.fingerprintOtherThan(plain);
 });
 
+test("a point meets the one that the hand is on, and not another beside it", async () => {
+  const { pot, plain } = await sheetAtHand();
+  await pot.page.getByLabel("To other points").check();
+  interface Points {
+    placed: { item: { kind: string; index: number }; at: number[]; seen: { x: number; y: number } }[];
+  }
+  const spots = pot.page.locator("pasu-network-handles");
+  /** Where a point is, and where one far from it that has another beside it. */
+  const found = () =>
+    spots.evaluate((element) => {
+      const { left, top } = element.getBoundingClientRect();
+      const all = (element as unknown as Points).placed.filter(({ item: { kind } }) => kind === "vertex");
+      const far = (one: (typeof all)[0], other: (typeof all)[0]) =>
+        Math.hypot(one.seen.x - other.seen.x, one.seen.y - other.seen.y);
+      const goal = all.find((each) => all.find((other) => far(each, other) < 10) !== each);
+      const from =
+        goal && all.find((each) => far(each, goal) > 100 && all.every((o) => o === each || far(each, o) > 3));
+      return (
+        from &&
+        goal && {
+          from: [left + from.seen.x, top + from.seen.y],
+          to: [left + goal.seen.x, top + goal.seen.y],
+          goal: goal.at,
+        }
+      );
+    });
+  await expect.poll(found).toBeTruthy();
+  const { from = [], to = [], goal } = (await found()) ?? {};
+  await pot.page.mouse.move(from[0] ?? 0, from[1] ?? 0);
+  await pot.page.mouse.down();
+  await pot.page.mouse.move(to[0] ?? 0, to[1] ?? 0, { steps: 5 });
+  await pot.page.mouse.up();
+  await pot.fingerprintOtherThan(plain);
+  expect([await number(pot, "x"), await number(pot, "y"), await number(pot, "z")]).toEqual(
+    goal?.map((each) => expect.closeTo(each, 3)),
+  );
+});
+
 test("a hand on a large network has its points and their numbers drawn, and nothing else of the page", async () => {
   const { pot, plain, middle, large } = await sheetAtHand();
   await countDrawn(pot);

@@ -247,7 +247,7 @@ export class PasuNetworkHandles extends DesignerElement {
     const { touch } = this.desk.settings;
     const reach = NEAR[event.pointerType as keyof typeof NEAR] ?? NEAR.mouse;
     // Who draws a region means the surface, and not the points on it.
-    const found = this.nearest(from, reach, touch === "region");
+    const found = this.nearest(from, reach, ({ kind }) => touch !== "region" || kind === "crest");
     const begun = !found && touch === "region" ? touched(network, see, from) : null;
     if (!found && touch !== "box" && !begun) return;
     event.preventDefault();
@@ -310,12 +310,12 @@ export class PasuNetworkHandles extends DesignerElement {
     if (this.held) event.preventDefault();
   };
 
-  private nearest(spot: Spot, reach: number, onlyCrests: boolean): Placed | null {
+  private nearest(spot: Spot, reach: number, counts: (item: Item) => boolean): Placed | null {
     let best: Placed | null = null;
     let least = Number.POSITIVE_INFINITY;
     for (const placed of this.placed) {
       const far = Math.hypot(placed.seen.x - spot.x, placed.seen.y - spot.y);
-      if (far > reach || (onlyCrests && placed.item.kind !== "crest")) continue;
+      if (far > reach || !counts(placed.item)) continue;
       // What is behind is taken where nothing before it is as near; what is worked with goes first.
       const score =
         far +
@@ -383,13 +383,8 @@ export class PasuNetworkHandles extends DesignerElement {
   /** The point that the hand is over, where points meet. */
   private met({ item, picks, now }: Held): Triple | null {
     if (!this.desk.settings.meet || item?.kind !== "vertex") return null;
-    const other = this.placed.find(
-      ({ item: each, seen }) =>
-        each.kind === "vertex" &&
-        !picks.vertices.has(each.index) &&
-        Math.hypot(seen.x - now.x, seen.y - now.y) < NEAR.mouse,
-    );
-    return other?.at ?? null;
+    const others = (each: Item) => each.kind === "vertex" && !picks.vertices.has(each.index);
+    return this.nearest(now, NEAR.mouse, others)?.at ?? null;
   }
 
   /** Pulls the crest of a force out along the way that it points, or the normal. */
