@@ -1,6 +1,6 @@
 /** What a movement of the pointer means for points that are seen from somewhere: moved in the plane across the view or along a way, turned, or scaled. */
 
-import { type Motion, onGrid, scaleBy, shiftBy, turnBy } from "../../document/network/moving";
+import { type Motion, onGrid, scaleBy, shiftBy, shiftOnto, turnBy } from "../../document/network/moving";
 import { cross, dot, unit } from "../../document/network/surface";
 import { minus, plus } from "../../document/network/topology";
 import type { Triple } from "../../document/types";
@@ -61,7 +61,7 @@ export interface Grasp {
 
 export function moving(grasp: Grasp, by: Spot, meets: Triple | null): Motion {
   const { see, at, way, size, grid } = grasp;
-  if (meets) return shiftBy(minus(meets, at));
+  if (meets) return shiftOnto(at, meets);
   if (!way) return shifting(grasp, acrossView(see, at, size, by));
   const [far = 0] = followed(see, at, [way], by);
   const steps = grid === null ? far : Math.round(far / grid) * grid;
