@@ -130,6 +130,24 @@ test("all strips are split across which an edge is picked, also where they cross
   expect(done(split(round, middles(free(round)))).network.patches).toHaveLength(2 * round.patches.length);
 });
 
+test("thousands of patches are split while somebody waits", { timeout: 20_000 }, () => {
+  const weaving = new Weaving();
+  for (let row = 0; row < 50; row += 1) {
+    for (let column = 0; column < 80; column += 1) {
+      const round = [0, 0, 1, 0, 2, 0, 2, 1, 2, 2, 1, 2, 0, 2, 0, 1];
+      const at = (place: number): Triple => [
+        2 * column + (round[2 * place] ?? 0),
+        2 * row + (round[2 * place + 1] ?? 0),
+        0,
+      ];
+      weaving.patch(Array.from({ length: 8 }, (_, place) => at(place)));
+    }
+  }
+  const large = weaving.network();
+  const middles = [...edgesOf(large).values()].map(({ sides }) => sides[0]?.vertices[1] ?? -1);
+  expect(done(split(large, new Set(middles))).network.patches).toHaveLength(16_000);
+});
+
 test("rings are found from one edge", () => {
   const round = can();
   const [rim] = free(round);

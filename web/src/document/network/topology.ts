@@ -267,7 +267,8 @@ function divide(network: Network, edges: readonly Edge[]): Building {
     for (const [key, each] of strip.crossed) crossed.set(key, each);
     for (const [patch, way] of strip.ways) ways.set(patch, way);
   }
-  if ([...ways.keys()].some((patch) => isSpanned(network, patch))) return { refused: "spanned" };
+  const beside = neighboursOf(network);
+  if ([...ways.keys()].some((patch) => isSpanned(network, patch, beside[patch] ?? []))) return { refused: "spanned" };
   const vertices = [...network.vertices];
   const add = (point: Triple) => vertices.push(point) - 1;
   // Two new middles for each edge that is divided, from its first end on; what was its middle is a corner.
@@ -326,12 +327,12 @@ function placeOn(side: number, share: number): readonly [number, number] {
 }
 
 /** Whether a force goes over the edges of the patch, or one of a patch beside it may come in. */
-function isSpanned(network: Network, patch: number): boolean {
+function isSpanned(network: Network, patch: number, beside: readonly number[]): boolean {
   const spans = (index: number) =>
     (network.patches[index]?.forces ?? []).some(({ u = UNIT, v = UNIT }) =>
       [...u, ...v].some((each) => each < 0 || each > 1),
     );
-  return spans(patch) || (neighboursOf(network)[patch] ?? []).some(spans);
+  return spans(patch) || beside.some(spans);
 }
 
 const UNIT = [0, 1] as const;
