@@ -58,6 +58,24 @@ test("each section is changed by its numbers, and undo takes a step back", async
   expect(await findings(pot)).toEqual([]);
 });
 
+test("a count is typed digit by digit, though 1 there cannot be", async () => {
+  const { pot, plain } = await opened();
+  await pot.type("Petals, lower", "15");
+  await pot.fingerprintOtherThan(plain);
+  const count = pot.field("How many, lower");
+  await count.click();
+  await pot.page.keyboard.type("12");
+  expect(await count.inputValue()).toBe("12");
+  // What cannot be stands there until it is left.
+  await pot.page.keyboard.press("Control+a");
+  await pot.page.keyboard.type("99");
+  expect(await count.inputValue()).toBe("99");
+  await pot.page.keyboard.press("Tab");
+  expect(await count.inputValue()).toBe("24");
+  await pot.undo();
+  await expect.poll(() => count.inputValue()).not.toBe("24");
+});
+
 test("a section takes another form, and the blend is solved another way", async () => {
   const { pot, plain } = await opened();
   const upper = pot.page.locator("pasu-blend-cards li[data-end=end]");

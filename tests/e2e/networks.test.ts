@@ -55,12 +55,14 @@ test("an open network gets a thickness, is a body that is exported, and says whe
   const panel = pot.page.locator("pasu-wall");
   expect(await panel.getByRole("spinbutton").evaluateAll((all) => all.map((each) => each.ariaLabel))).toHaveLength(1);
   expect(await panel.getByRole("checkbox").count()).toBe(0);
+  expect(await panel.locator("pasu-number #help").innerText()).not.toContain("thinned");
   expect(await findings(pot)).toEqual([]);
   // The stage shows it: the other side and the rims beside the network.
   await fineWall(pot);
   expect(await wallOnStage(pot)).toEqual({ faces: 2, sides: ["inside"] });
   await pot.tab("Measures");
   await pot.page.getByText("The mesh is closed").waitFor();
+  await pot.page.getByText("no foot and no rim, between which it would be found how much it holds").first().waitFor();
   await pot.tab("Wall");
   // A leaf that is bent is turned over by a wall thicker than it is wide.
   await pot.type("Thickness", "40");
@@ -222,6 +224,148 @@ test("where nothing is picked no number stands, and one that nothing has is told
   await patch.press("ArrowUp");
   await pot.page.getByText("8 points and 1 patch picked.").waitFor();
   expect(await patch.inputValue()).toBe("1");
+});
+
+test("digits on the way to a number pick nothing beside it", async () => {
+  const { pot } = await openCan();
+  const { page } = pot;
+  const status = page.locator("pasu-network-panel .told").first();
+  await pot.button("Pick several").click();
+  await pot.type("Point", "7");
+  await pot.field("Point").click();
+  await page.keyboard.type("23");
+  await page.keyboard.press("Enter");
+  await expect.poll(() => status.innerText()).toMatch(/^2 points and 0 patches/);
+  expect(await item(pot, "vertex 1").getAttribute("aria-pressed")).toBe("false");
+  // 10 there is, 100 there is none.
+  await pot.field("Point").click();
+  await page.keyboard.type("100");
+  await page.getByText("Points have the numbers").waitFor();
+  await expect.poll(() => status.innerText()).toMatch(/^2 points and 0 patches/);
+  await page.keyboard.press("Enter");
+  await pot.button("None").click();
+  await pot.field("Patch").click();
+  await page.keyboard.type("12");
+  await page.keyboard.press("Enter");
+  await expect.poll(() => status.innerText()).toMatch(/^8 points and 1 patch /);
+  expect(await item(pot, "patch 11").getAttribute("aria-pressed")).toBe("true");
+});
+
+test("a place is typed digit by digit through the mirror, and what stands in it says that it stays", async () => {
+  const { pot, plain } = await opened();
+  const { page } = pot;
+  await page.getByLabel("Mirror").selectOption("x");
+  await pot.type("Point", "8");
+  const x = page.locator("pasu-network-place").getByRole("spinbutton", { name: "x", exact: true });
+  const typed = async (text: string) => {
+    await x.click();
+    await page.keyboard.type(text);
+    await page.keyboard.press("Enter");
+  };
+  // On the way to it stands a 0, where it would meet its image.
+  await typed("-0.5");
+  await pot.fingerprintOtherThan(plain);
+  await expect.poll(() => x.inputValue()).toBe("\u22120.5");
+  await pot.type("Point", "4");
+  await expect.poll(() => x.inputValue()).toBe("0.5");
+  await pot.undo();
+  await pot.shows(plain);
+  await pot.type("Point", "2");
+  await typed("3");
+  await page.getByText("What stands in the mirror stays there.").waitFor();
+  await page.keyboard.press("Tab");
+  expect(await x.inputValue()).toBe("0");
+  await pot.shows(plain);
+});
+
+test("the middle of what goes round an axis is on it, whatever rounding leaves", async () => {
+  const { pot } = await openCan();
+  await pot.button("All").click();
+  const place = pot.page.locator("pasu-network-place").getByRole("spinbutton");
+  expect(await place.evaluateAll((all) => all.map((each) => each.getAttribute("aria-valuenow")))).toEqual([
+    "0",
+    "0",
+    "5",
+  ]);
+});
+
+test("arrow keys keep to the grid", async () => {
+  const { pot, plain } = await opened();
+  const { page } = pot;
+  await points(pot);
+  await page.getByLabel("To a grid of").check();
+  await item(pot, "vertex 1").focus();
+  await page.keyboard.press("ArrowRight");
+  const once = await pot.fingerprintOtherThan(plain);
+  await page.keyboard.press("ArrowUp");
+  await pot.fingerprintOtherThan(once);
+  const [x, y, z] = [await number(pot, "x"), await number(pot, "y"), await number(pot, "z")];
+  expect([x, y, z].map((each) => (2 * each) % 1)).toEqual([0, 0, 0].map((zero) => expect.closeTo(zero, 9)));
+  expect([x, y, z]).not.toEqual([0, -7, 3]);
+});
+
+test("crests of several patches are told apart, and what is no choice is not pressed", async () => {
+  const { pot } = await openCan();
+  for (const patch of ["8", "16"]) {
+    await pot.type("Patch", patch);
+    await pot.button("Add a force").click();
+  }
+  await pot.button("All").click();
+  const crests = pot.page.locator('pasu-network-handles [data-item^="crest"]');
+  const told = () => crests.evaluateAll((all) => all.map((each) => each.getAttribute("aria-label")));
+  await expect.poll(told).toEqual(["Crest of force 1, Patch 8", "Crest of force 1, Patch 16"]);
+  expect(await crests.first().getAttribute("aria-pressed")).toBeNull();
+  expect(await item(pot, "pivot").getAttribute("aria-pressed")).toBeNull();
+});
+
+test("a force is added to all picked patches, each pushed out by its own normal, and the focus stays when it goes", async () => {
+  const { pot, plain } = await openCan();
+  const { page } = pot;
+  // Over against each other.
+  await pot.button("Pick several").click();
+  await pot.type("Patch", "7");
+  await pot.type("Patch", "5");
+  await page.getByText("The numbers are those of patch 7.").waitFor();
+  await pot.button("Add a force").click();
+  const pushed = await pot.fingerprintOtherThan(plain);
+  const forces = () =>
+    page.evaluate(() => {
+      interface Page {
+        designer: { store: { design: { parts: { shape: { patches: { forces?: { f0: number[] }[] }[] } }[] } } };
+      }
+      const { designer } = document.querySelector("pasu-app") as unknown as Page;
+      const { patches = [] } = designer.store.design.parts[0]?.shape ?? {};
+      return patches.flatMap(({ forces: all }, patch) => (all ? [{ patch, x: Math.sign(all[0]?.f0[0] ?? 0) }] : []));
+    });
+  const [one, other] = await forces();
+  expect([one?.patch, other?.patch]).toEqual([4, 6]);
+  expect([1, -1]).toContain(one?.x);
+  expect(one?.x).toBe(-(other?.x ?? 0));
+  await pot.type("Height, force 1", "0.75");
+  await pot.fingerprintOtherThan(pushed);
+  expect(await number(pot, "Height, force 1")).toBe(0.75);
+  const [low, high] = await forces();
+  expect(low?.x).toBe(-(high?.x ?? 0));
+  await pot.button("Add a force").click();
+  for (const next of ["Remove force 1", "Add a force"]) {
+    await pot.button("Remove force 1").focus();
+    await page.keyboard.press("Enter");
+    await expect.poll(() => pot.button(next).evaluate((button) => button.matches(":focus"))).toBe(true);
+  }
+  await pot.shows(plain);
+});
+
+test("grids and sliders that reach nowhere are told", async () => {
+  const { pot } = await opened();
+  const told = pot.page.getByText("It has to be more than 0.");
+  await pot.type("Grid", "-1");
+  await expect.poll(() => told.count()).toBe(1);
+  await pot.type("Patch", "1");
+  await pot.type("Sliders reach to", "0");
+  await expect.poll(() => told.count()).toBe(2);
+  await pot.type("Sliders reach to", "5");
+  await pot.type("Grid", "0.25");
+  await expect.poll(() => told.count()).toBe(0);
 });
 
 test("the ends of a region are typed digit by digit, and one that would pass the other is told", async () => {
@@ -514,6 +658,15 @@ test("a region is drawn across patches and pulled, and its numbers follow", { ti
   const { page } = pot;
   await page.getByRole("radio", { name: "draws a region" }).check();
   const [x, y] = await middle(pot, "patch 11");
+  // A click is none, and neither is what ends beside the surface.
+  await page.mouse.click(x - 18, y - 22);
+  await page.getByText("A region is drawn from one of its corners to the other").waitFor();
+  await page.mouse.move(x, y - 22);
+  await page.mouse.down();
+  await page.mouse.move(x - 20, y - 24);
+  await page.mouse.move(30, 90);
+  await page.mouse.up();
+  await pot.shows(plain);
   await page.mouse.move(x - 18, y - 22);
   await page.mouse.down();
   await page.mouse.move(x + 24, y + 20, { steps: 5 });
@@ -539,17 +692,28 @@ test("a region is drawn across patches and pulled, and its numbers follow", { ti
 test("a vase becomes patches, no further off than is said", { timeout: 120_000 }, async () => {
   const pot = await here.enter({ link: "#1/fourth-order?r0=3&r1=2&rm=4&h1=9" });
   const vase = await pot.fingerprint();
-  await pot.button("Make it patches…").click();
+  await pot.button("Make it patches…").focus();
+  await pot.page.keyboard.press("Enter");
+  await expect.poll(() => pot.page.locator("pasu-patch-card section:focus").count()).toBe(1);
   const found = pot.page.locator("pasu-patch-card .found");
   await expect.poll(() => found.innerText(), { timeout: 30_000 }).toMatch(/^No further than [\d.]+ cm from the form/);
   const off = async () => Number(/[\d.]+/.exec(await found.innerText())?.[0]);
   const coarse = await off();
-  await pot.type("Patches round", "24");
+  // Digit by digit: fewer than 3 there cannot be.
+  await pot.field("Patches round").click();
+  await pot.page.keyboard.type("24");
+  await pot.page.keyboard.press("Tab");
+  expect(await pot.field("Patches round").inputValue()).toBe("24");
+  await pot.type("Patches from end to end", "130");
+  await pot.page.getByText("It has to be a whole number from 1 to 120.").waitFor();
   await pot.type("Patches from end to end", "12");
+  expect(await pot.page.getByText("It has to be a whole number").count()).toBe(0);
   await expect.poll(off).toBeLessThan(coarse);
   expect(await findings(pot)).toEqual([]);
-  await pot.button("Use it").click();
+  await pot.button("Use it").focus();
+  await pot.page.keyboard.press("Enter");
   await pot.fingerprintOtherThan(vase);
+  await expect.poll(() => pot.page.locator("pasu-network-panel .intro button:focus").count()).toBe(1);
   expect(await told(pot)).toContain("288 patches");
   await pot.undo();
   await pot.shows(vase);
@@ -719,6 +883,67 @@ test("a large network that is dragged, undone and dragged again is drawn as one 
   // Some pixels at the rims of points may be blended in another order.
   await expect.poll(async () => await overlay(pot)).toBeLessThan(60);
   await pot.leave();
+});
+
+test("keys go on with the point of a large network that was clicked", async () => {
+  const { pot, plain } = await sheetAtHand();
+  interface Points {
+    placed: { item: { kind: string }; seen: { x: number; y: number } }[];
+  }
+  const spots = pot.page.locator("pasu-network-handles");
+  const seen = () =>
+    spots.evaluate((element) => {
+      const { left, top } = element.getBoundingClientRect();
+      const found = (element as unknown as Points).placed.filter(({ item: { kind } }) => kind === "vertex");
+      const { seen: spot } = found[Math.floor(found.length / 2)] ?? {};
+      return spot ? { x: left + spot.x, y: top + spot.y } : null;
+    });
+  await expect.poll(seen).not.toBeNull();
+  const { x = 0, y = 0 } = (await seen()) ?? {};
+  await pot.page.mouse.click(x, y);
+  await pot.page.getByText("1 point and 0 patches picked").waitFor();
+  const held = pot.page.locator("pasu-network-handles button:focus");
+  await expect.poll(() => held.count()).toBe(1);
+  await pot.page.keyboard.press("ArrowUp");
+  await pot.fingerprintOtherThan(plain);
+});
+
+test("a point meets the one that the hand is on, and not another beside it", async () => {
+  const { pot, plain } = await sheetAtHand();
+  await pot.page.getByLabel("To other points").check();
+  interface Points {
+    placed: { item: { kind: string; index: number }; at: number[]; seen: { x: number; y: number } }[];
+  }
+  const spots = pot.page.locator("pasu-network-handles");
+  /** Where a point is, and where one far from it that has another beside it. */
+  const found = () =>
+    spots.evaluate((element) => {
+      const { left, top } = element.getBoundingClientRect();
+      const all = (element as unknown as Points).placed.filter(({ item: { kind } }) => kind === "vertex");
+      const far = (one: (typeof all)[0], other: (typeof all)[0]) =>
+        Math.hypot(one.seen.x - other.seen.x, one.seen.y - other.seen.y);
+      const goal = all.find((each) => all.find((other) => far(each, other) < 10) !== each);
+      const from =
+        goal && all.find((each) => far(each, goal) > 100 && all.every((o) => o === each || far(each, o) > 3));
+      return (
+        from &&
+        goal && {
+          from: [left + from.seen.x, top + from.seen.y],
+          to: [left + goal.seen.x, top + goal.seen.y],
+          goal: goal.at,
+        }
+      );
+    });
+  await expect.poll(found).toBeTruthy();
+  const { from = [], to = [], goal } = (await found()) ?? {};
+  await pot.page.mouse.move(from[0] ?? 0, from[1] ?? 0);
+  await pot.page.mouse.down();
+  await pot.page.mouse.move(to[0] ?? 0, to[1] ?? 0, { steps: 5 });
+  await pot.page.mouse.up();
+  await pot.fingerprintOtherThan(plain);
+  expect([await number(pot, "x"), await number(pot, "y"), await number(pot, "z")]).toEqual(
+    goal?.map((each) => expect.closeTo(each, 5)),
+  );
 });
 
 test("a hand on a large network has its points and their numbers drawn, and nothing else of the page", async () => {

@@ -73,11 +73,8 @@ export class PasuNumber extends LitElement {
   override willUpdate(changed: Map<PropertyKey, unknown>): void {
     const kept = changed.has("min") || changed.has("max") ? { low: this.min, high: this.max } : this.range;
     this.range = reaching(kept, this.value);
-    // The number changed from elsewhere (undo, a handle): what was typed no longer stands for anything.
-    if (changed.has("value") && this.draft !== null) {
-      const typed = this.read(this.draft);
-      if (!("value" in typed) || typed.value !== this.value) this.forget();
-    }
+    // The number changed from elsewhere (undo, a handle): what was typed no longer stands for anything. Under the hand of who types it stays, whatever was made of it: more digits may follow.
+    if (changed.has("value") && !this.matches(":focus-within")) this.forget();
   }
 
   override render() {

@@ -45,8 +45,12 @@ type Build = keyof typeof BUILDS;
 
 @customElement("pasu-network-panel")
 export class PasuNetworkPanel extends DesignerElement {
+  /** What was picked before a number was typed: digits on the way to it are numbers of others, which are not picked beside it. */
+  private typedFrom: Picks | null = null;
   /** Which number was typed that nothing has, while that was picked. */
   @state() private astray: { readonly label: string; readonly picks: Picks } | null = null;
+  /** Whether a grid without a step was typed. */
+  @state() private isTooLittle = false;
   readonly #unit = computed(() => unitOf(this.designer.store.design));
 
   override render() {
@@ -158,12 +162,28 @@ export class PasuNetworkPanel extends DesignerElement {
         ${vertices.size === 0 ? words.pickedNone : words.picked(vertices.size, patches.size)}
       </p>
       <div class="two">
-        ${this.cell(words.numberOfPoint, vertex, network.vertices.length, words.noSuchPoint, picks, (one) => {
-          pick(withVertices(picks, [one], several));
-        })}
-        ${this.cell(words.numberOfPatch, patch, network.patches.length, words.noSuchPatch, picks, (one) => {
-          if (!(several && patches.has(one))) pick(withPatch(network, picks, one, several));
-        })}
+        ${this.cell(
+          network,
+          words.numberOfPoint,
+          vertex,
+          network.vertices.length,
+          words.noSuchPoint,
+          picks,
+          (one, from) => {
+            pick(withVertices(from, [one], several));
+          },
+        )}
+        ${this.cell(
+          network,
+          words.numberOfPatch,
+          patch,
+          network.patches.length,
+          words.noSuchPatch,
+          picks,
+          (one, from) => {
+            pick(several && from.patches.has(one) ? from : withPatch(network, from, one, several));
+          },
+        )}
       </div>
     </section>`;
   }
@@ -181,12 +201,13 @@ export class PasuNetworkPanel extends DesignerElement {
 
   /** What is picked by its number, of so many that are counted from 1; empty where nothing is picked. */
   private cell(
+    network: Network,
     label: string,
     one: number | undefined,
     count: number,
     noSuch: (most: string) => string,
     picks: Picks,
-    set: (one: number) => void,
+    set: (one: number, from: Picks) => void,
   ) {
     const { astray } = this;
     return html`<span class="cell"
@@ -198,16 +219,29 @@ export class PasuNetworkPanel extends DesignerElement {
         .value=${(one ?? -1) + 1}
         .step=${1}
         .problem=${astray?.label === label && astray.picks === picks ? noSuch(formatNumber(count)) : ""}
+        @input=${one === undefined ? nothing : this.typing}
         @number-change=${({ value }: NumberChangeEvent) => {
           const isOne = Number.isInteger(value) && value >= 1 && value <= count;
-          this.astray = isOne ? null : { label, picks };
-          if (isOne) set(value - 1);
+          this.typedFrom ??= picks;
+          const from = this.typedFrom;
+          this.astray = isOne ? null : { label, picks: from };
+          if (isOne) set(value - 1, from);
+          else if (picks !== from) this.desk.pick(network, from);
         }}
-        @number-done=${() => this.designer.store.endGesture()}
-        @number-cancel=${() => this.designer.store.cancelGesture()}
+        @number-done=${() => {
+          this.typedFrom = null;
+        }}
       ></pasu-number
     ></span>`;
   }
+
+  /** Before it is read: it may be the number that there is. */
+  private readonly typing = {
+    capture: true,
+    handleEvent: () => {
+      this.astray = null;
+    },
+  };
 
   private moving(network: Network) {
     const { desk } = this;
@@ -231,7 +265,11 @@ export class PasuNetworkPanel extends DesignerElement {
           .unit=${unit}
           .value=${step}
           .step=${Number((step / 5).toPrecision(1))}
-          @number-change=${({ value }: NumberChangeEvent) => value > 0 && desk.set({ step: value })}
+          .problem=${this.isTooLittle ? words.tooLittle : ""}
+          @number-change=${({ value }: NumberChangeEvent) => {
+            this.isTooLittle = !(value > 0);
+            if (value > 0) desk.set({ step: value });
+          }}
         ></pasu-number>
         <label class="check">
           <input type="checkbox" .checked=${meet} @change=${() => desk.set({ meet: !meet })} /><span>${words.meet}</span>

@@ -7,6 +7,7 @@ import { AXES } from "../../document/network/moving";
 import { type Network, type Patch, sizeOf } from "../../document/network/network";
 import { crestOf, type Force, forceFor, heightOf } from "../../document/network/sculpting";
 import { dot, normalOn } from "../../document/network/surface";
+import { outsides } from "../../document/network/topology";
 import type { Pair, Triple } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { formatNumber } from "../../number";
@@ -29,6 +30,8 @@ const NARROWEST = 0.001;
 /** A new force pushes as far as this share of the size. */
 const PUSH = 0.1;
 const MOST = 64;
+/** A height is read as it was typed: a force has one digit more. */
+const DIGITS = 5;
 
 @customElement("pasu-network-patch")
 export class PasuNetworkPatch extends DesignerElement {
@@ -36,6 +39,8 @@ export class PasuNetworkPatch extends DesignerElement {
   @state() private apart: ReadonlySet<string> = new Set();
   /** Which end of a region was typed to where none can be, and what is said of it until a number of the patch changes. */
   @state() private astray: { readonly field: string; readonly of: Patch; readonly said: string } | null = null;
+  /** Of which sliders it was typed that they reach nowhere. */
+  @state() private tooLittle: "magnification" | "strength" | null = null;
 
   override render() {
     const framed = framedNetwork(this.designer);
@@ -47,6 +52,7 @@ export class PasuNetworkPatch extends DesignerElement {
     return html`
       <details open>
         <summary><h3>${words.surface}</h3><span>${words.surfaceHelp}</span></summary>
+        ${picked.length > 1 ? html`<p class="lead">${words.ofSeveral(formatNumber((picked[0] ?? 0) + 1), picked.length)}</p>` : nothing}
         ${patch ? this.parameters(patch) : html`<p class="lead">${words.noSurface}</p>`}
       </details>
       ${
@@ -56,7 +62,7 @@ export class PasuNetworkPatch extends DesignerElement {
               ${(patch.forces ?? []).map((force, index) => this.force(network, picked[0] ?? 0, patch, force, index))}
               ${(patch.forces ?? []).length > 0 ? this.reach("strength") : nothing}
               <div class="acts">
-                <button class="button outlined" type="button" ?disabled=${(patch.forces ?? []).length >= MOST} @click=${() => this.add(picked[0] ?? 0)}>
+                <button class="button outlined add" type="button" ?disabled=${(patch.forces ?? []).length >= MOST} @click=${() => this.add(picked[0] ?? 0)}>
                   ${icon("add")}<span>${words.addForce}</span>
                 </button>
                 <button class="button outlined" type="button" @click=${this.drawRegion}>${words.region}</button>
@@ -96,7 +102,11 @@ export class PasuNetworkPatch extends DesignerElement {
         .qualifier=${key === "strength" ? words.strength : ""}
         .value=${desk.settings[key]}
         .step=${1}
-        @number-change=${({ value }: NumberChangeEvent) => value > 0 && desk.set({ [key]: value })}
+        .problem=${this.tooLittle === key ? words.tooLittle : ""}
+        @number-change=${({ value }: NumberChangeEvent) => {
+          this.tooLittle = value > 0 ? null : key;
+          if (value > 0) desk.set({ [key]: value });
+        }}
       ></pasu-number
     ></span>`;
   }
@@ -158,13 +168,16 @@ export class PasuNetworkPatch extends DesignerElement {
     const { u = UNIT, v = UNIT, falloff = "sine" } = force;
     const unit = unitOf(this.designer.store.design);
     const normal = this.normal(network, place, force);
-    const edit = (next: (before: Force, of: Patch) => Force, key: string | false) =>
-      this.change((each) => withForce(each, index, next), key && `force ${index} ${key}`);
+    const edit = (next: (before: Force, of: Patch, place: number) => Force, key: string | false) =>
+      this.change(
+        (each, at) => withForce(each, index, (before, of) => next(before, of, at)),
+        key && `force ${index} ${key}`,
+      );
     const cell = (
       label: string,
       value: number,
       step: number,
-      set: (value: number) => (before: Force, of: Patch) => Force,
+      set: (value: number) => (before: Force, of: Patch, place: number) => Force,
       key: string,
       of = "",
       bad: (value: number) => string = () => "",
@@ -205,7 +218,7 @@ export class PasuNetworkPatch extends DesignerElement {
     return html`<div class="force" role="group" aria-label=${words.force(number)}>
       <div class="head">
         <h4>${words.force(number)}</h4>
-        <button class="button bare" type="button" aria-label=${words.removeForce(number)} @click=${() => this.change((each) => withoutForce(each, index), false)}>
+        <button class="button bare" type="button" aria-label=${words.removeForce(number)} @click=${() => this.takeAway(index)}>
           ${icon("remove")}
         </button>
       </div>
@@ -221,12 +234,15 @@ export class PasuNetworkPatch extends DesignerElement {
       <div class="cells">
         ${cell(
           words.height,
-          Number(dot(heightOf(patch, force), normal).toPrecision(4)),
+          Number(dot(heightOf(patch, force), normal).toPrecision(DIGITS)),
           Number((sizeOf(network) / STEPS).toPrecision(1)),
-          (value) => (before, of) => ({
-            ...before,
-            f0: forceFor(of, [value * normal[0], value * normal[1], value * normal[2]]),
-          }),
+          (value) => {
+            const normals = this.normals(place);
+            return (before, of, at) => {
+              const [x, y, z] = normals(at, before);
+              return { ...before, f0: forceFor(of, [value * x, value * y, value * z]) };
+            };
+          },
           "height",
           unit,
         )}
@@ -268,18 +284,38 @@ export class PasuNetworkPatch extends DesignerElement {
     return normalOn(network, place, within(u), within(v)) ?? UP;
   }
 
-  private add(place: number): void {
+  /** Of every patch the normal at the middle of a force on the side to which that of the first one points, whichever way frames go round. */
+  private normals(first: number): (place: number, force: Force) => Triple {
     const { network } = this;
-    const patch = network?.patches[place];
-    if (!network || !patch) return;
-    const normal = normalOn(network, place, 0.5, 0.5) ?? UP;
+    if (!network) return () => UP;
+    const sides = outsides(network);
+    return (place, force) => {
+      const [x, y, z] = this.normal(network, place, force);
+      return sides[place]?.sign === sides[first]?.sign ? [x, y, z] : [-x, -y, -z];
+    };
+  }
+
+  /** To every picked patch, as far on each along its own normal. */
+  private add(first: number): void {
+    const { network } = this;
+    if (!network) return;
+    const normals = this.normals(first);
     const far = PUSH * sizeOf(network);
-    const f0 = forceFor(patch, [far * normal[0], far * normal[1], far * normal[2]]);
-    this.change(
-      (each, index) =>
-        index === place ? { ...each, forces: [...(each.forces ?? []), { f0, falloff: "smooth" }] } : each,
-      false,
-    );
+    this.change((patch, place) => {
+      const { forces = [] } = patch;
+      if (forces.length >= MOST) return patch;
+      const whole: Force = { f0: UP, falloff: "smooth" };
+      const [x, y, z] = normals(place, whole);
+      return { ...patch, forces: [...forces, { ...whole, f0: forceFor(patch, [far * x, far * y, far * z]) }] };
+    }, false);
+  }
+
+  /** The button that was pressed is gone with the force: the focus goes to that of the next one, or to where one is added. */
+  private async takeAway(index: number): Promise<void> {
+    this.change((each) => withoutForce(each, index), false);
+    await this.updateComplete;
+    const left = [...this.renderRoot.querySelectorAll<HTMLElement>(".force .bare")];
+    (left[index] ?? left.at(-1) ?? this.renderRoot.querySelector<HTMLElement>(".add"))?.focus();
   }
 
   private readonly drawRegion = (): void => {

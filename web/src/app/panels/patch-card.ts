@@ -8,6 +8,7 @@ import { spanOf } from "../../document/network/span";
 import type { Part, Shape } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import type { WovenShape } from "../../maker/woven";
+import { formatNumber } from "../../number";
 import { card } from "../../ui/card";
 import { cells } from "../../ui/cells";
 import "../../ui/number-field";
@@ -33,6 +34,8 @@ export class PasuPatchCard extends DesignerElement {
   @state() private rows = 6;
   /** As many as the waves of the form take until somebody says otherwise. */
   @state() private columns: number | null = null;
+  /** Which count was typed to what none can be. */
+  @state() private astray: "rows" | "columns" | null = null;
   private asked: Shape | null = null;
 
   override willUpdate(): void {
@@ -43,7 +46,7 @@ export class PasuPatchCard extends DesignerElement {
   }
 
   override render() {
-    return html`<section aria-labelledby="become">
+    return html`<section aria-labelledby="become" tabindex="-1">
       <h3 id="become">${words.become}</h3>
       <p class="lead">${words.becomeAbout}</p>
       <div class="two">${this.count(words.columns, "columns", 3)}${this.count(words.rows, "rows", 1)}</div>
@@ -53,6 +56,11 @@ export class PasuPatchCard extends DesignerElement {
         <button class="button outlined" type="button" @click=${this.leave}>${words.leave}</button>
       </div>
     </section>`;
+  }
+
+  /** What was pressed to come here is gone. A field would bring up the keys of a phone. */
+  override firstUpdated(): void {
+    this.renderRoot.querySelector<HTMLElement>("section")?.focus();
   }
 
   private get chosen(): Part | undefined {
@@ -68,13 +76,27 @@ export class PasuPatchCard extends DesignerElement {
         .label=${label}
         .value=${this[key] ?? this.seeking.ready?.columns ?? 0}
         .step=${1}
+        .problem=${this.astray === key ? words.noSuchCount(formatNumber(least), formatNumber(MOST)) : ""}
+        @input=${this.typing}
         @number-change=${({ value }: NumberChangeEvent) => {
-          this[key] = Math.min(Math.max(Math.round(value), least), MOST);
+          // What is typed stays as it is: a digit alone may be on the way to a number that can be.
+          const isOne = Number.isInteger(value) && value >= least && value <= MOST;
+          this.astray = isOne ? null : key;
+          if (!isOne) return;
+          this[key] = value;
           if (this.asked) this.ask(this.asked);
         }}
       ></pasu-number
     ></span>`;
   }
+
+  /** Before it is read: it may be the number that there is. */
+  private readonly typing = {
+    capture: true,
+    handleEvent: () => {
+      this.astray = null;
+    },
+  };
 
   private get useful(): Found | null {
     const { ready } = this.seeking;
@@ -119,7 +141,9 @@ export class PasuPatchCard extends DesignerElement {
     const parts = design.parts.map((each, place) => (place === part ? { ...rest, shape: useful.shape } : each));
     designer.apply({ design: { ...design, parts }, undo: "step" });
     designer.notices.say(this.apart(useful.distance));
+    const root = this.getRootNode() as ShadowRoot;
     this.leave();
+    void focusOnNetwork(root);
   };
 
   /** How far what is so far off before placement is where the part stands. */
@@ -150,6 +174,14 @@ export class PasuPatchCard extends DesignerElement {
       }
     `,
   ];
+}
+
+/** The card is gone with the form: the focus goes on to what stands in its place. */
+async function focusOnNetwork(root: ShadowRoot): Promise<void> {
+  await import("./network-panel");
+  const panel = root.querySelector("pasu-network-panel");
+  await panel?.updateComplete;
+  panel?.renderRoot.querySelector("button")?.focus();
 }
 
 declare global {

@@ -185,11 +185,13 @@ export class PasuWall extends DesignerElement {
       // The ranges go by the pot that was opened: no number moves the range of another.
       const { max, step } = wallRange(field, designer.origin.size ?? this.size);
       const { name, help } = words.fields[field.key];
+      // Of a network nothing is thinned.
+      const meant = isThickness(kind) && field.key === "thickness" ? words.thickenedHelp : help;
       return html`<pasu-number
         data-field=${field.key}
         .label=${name}
         .unit=${unitOf(designer.store.design)}
-        .help=${help}
+        .help=${meant}
         .problem=${this.problemOf(field)}
         .value=${wallNumber(wall, field)}
         .min=${0}

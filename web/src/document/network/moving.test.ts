@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { NETWORKED } from "../gallery/networks";
 import { frozen } from "../path";
-import { imagesOf, middleOf, moved, onGrid, scaleBy, shiftBy, turnBy } from "./moving";
+import { imagesOf, middleOf, moved, onGrid, scaleBy, shiftBy, shiftOnto, turnBy } from "./moving";
 import { type Network, patchesRound } from "./network";
 import { crestOf, forceFor, heightOf, laidAt, pointAt, regionBetween, rimOf, unfolded } from "./sculpting";
 import { pointOn } from "./surface";
@@ -36,6 +36,13 @@ test("what is picked is moved, turned and scaled, and nothing else", () => {
 
 test("corners that would meet stay apart", () => {
   expect(moved(leaf, new Set([0]), () => leaf.vertices[2] ?? [0, 0, 0])).toBe(leaf);
+});
+
+test("what meets another point is where that is, to the last digit, and corners that would meet stay apart", () => {
+  const fine: Network = { ...leaf, vertices: leaf.vertices.with(2, [6.12345678901, -6, 0.333333333333]) };
+  const [first = [0, 0, 0], , third = [0, 0, 0]] = fine.vertices;
+  expect(moved(fine, new Set([1]), shiftOnto(fine.vertices[1] ?? first, third)).vertices[1]).toEqual(third);
+  expect(moved(fine, new Set([0]), shiftOnto(first, third))).toBe(fine);
 });
 
 test("the image in a mirror follows, and what is in it stays there", () => {

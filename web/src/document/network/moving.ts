@@ -12,7 +12,14 @@ const DIGITS = 5;
 /** Of the size: vertices no further from where the mirror has them are each other's images. */
 const NEAR = 1e-5;
 
-export type Motion = (point: Triple) => Triple;
+export interface Motion {
+  (point: Triple): Triple;
+  /** Whether points go to where others are, which have more digits than a hand has use for. */
+  readonly isExact?: boolean;
+}
+
+/** Digits that documents keep. */
+const KEPT = 12;
 
 export function middleOf(network: Network, picked: Iterable<number>): Triple {
   return meanOf([...picked].map((vertex) => at(network, vertex)));
@@ -20,6 +27,13 @@ export function middleOf(network: Network, picked: Iterable<number>): Triple {
 
 export function shiftBy(by: Triple): Motion {
   return (point) => plus(point, by, 1);
+}
+
+/** With what is at one point to another one, and not to beside it. */
+export function shiftOnto(from: Triple, to: Triple): Motion {
+  const by = minus(to, from);
+  const motion: Motion = (point) => (point.every((value, axis) => value === from[axis]) ? to : plus(point, by, 1));
+  return Object.assign(motion, { isExact: true });
 }
 
 /** About an axis through a point; anticlockwise seen against it. */
@@ -87,7 +101,9 @@ export function moved(
 ): Network {
   const digits = DIGITS - Math.floor(Math.log10(sizeOf(network)));
   const step = 10 ** Math.min(Math.max(digits, 0), 12);
-  const neat = (point: Triple) => point.map((value) => Math.round(value * step) / step + 0) as unknown as Triple;
+  const rounded = (value: number) =>
+    motion.isExact ? Number(value.toPrecision(KEPT)) : Math.round(value * step) / step;
+  const neat = (point: Triple) => point.map((value) => rounded(value) + 0) as unknown as Triple;
   const vertices = [...network.vertices];
   const images = mirror ? imagesOf(network, mirror) : null;
   const axis = mirror ? AXES.indexOf(mirror) : -1;

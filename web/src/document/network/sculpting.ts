@@ -12,7 +12,7 @@ const ONES: Triple = [1, 1, 1];
 const NARROWEST = 0.05;
 /** So many patches away a region may reach. */
 const REACH = 3;
-const DIGITS = 4;
+const DIGITS = 6;
 
 /** A patch beside another one, and where its unit square lies from the other's. */
 export interface Unfolded {

@@ -15,10 +15,12 @@ export function withVertex({ vertices, patches }: Picks, vertex: number, more: b
   return { vertices: toggled(vertices, vertex), patches };
 }
 
-/** A patch with its eight vertices. */
+/** A patch with its eight vertices, alone or beside what there is: vertices that are of no picked patch stay picked. */
 export function withPatch(network: Network, picks: Picks, patch: number, more: boolean): Picks {
   const patches = more ? toggled(picks.patches, patch) : new Set([patch]);
-  return { vertices: verticesOf(network, patches), patches };
+  const own = verticesOf(network, picks.patches);
+  const loose = more ? [...picks.vertices].filter((vertex) => !own.has(vertex)) : [];
+  return { vertices: new Set([...loose, ...verticesOf(network, patches)]), patches };
 }
 
 export function everything(network: Network): Picks {

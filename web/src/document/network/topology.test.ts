@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { NETWORKED } from "../gallery/networks";
 import type { Triple } from "../types";
-import { edgesOf, faultOf, isClosed, isFree, type Network, type Patch } from "./network";
+import { type Edge, edgesOf, faultOf, isClosed, isFree, type Network, type Patch } from "./network";
 import { readObj } from "./obj";
 import { ringThrough } from "./selection";
 import { pointOn } from "./surface";
@@ -104,6 +104,48 @@ test("a strip is split all the way round, and the surface stays where it was", (
     const after = pointOn(network, 2 * patch, u, 2 * v);
     expect(Math.hypot(...before.map((value, axis) => value - (after[axis] ?? 0)))).toBeLessThan(1e-4);
   }
+});
+
+test("all strips are split across which an edge is picked, also where they cross", () => {
+  const round = can();
+  const middles = (all: readonly Edge[]) => new Set(all.map(({ sides }) => sides[0]?.vertices[1] ?? -1));
+  const edges = [...edgesOf(round).values()];
+  // Every edge: four patches of each.
+  const { network } = done(split(round, middles(edges)));
+  expect([network.patches.length, faultOf(network), turnsAlike(network)]).toEqual([
+    4 * round.patches.length,
+    null,
+    true,
+  ]);
+  for (const [patch] of round.patches.entries()) {
+    const before = pointOn(round, patch, 0.3, 0.2);
+    const after = pointOn(network, 4 * patch, 0.6, 0.4);
+    for (const axis of [0, 1, 2] as const) expect(after[axis]).toBeCloseTo(before[axis], 5);
+  }
+  // All edges across one strip divide it once, those of a rim the strips of their own.
+  const [inner] = edges.filter((each) => !isFree(each));
+  const along = middles(inner ? [inner] : []);
+  const ring = ringThrough(round, { vertices: along, patches: new Set() }).vertices;
+  expect(done(split(round, ring)).network).toEqual(done(split(round, along)).network);
+  expect(done(split(round, middles(free(round)))).network.patches).toHaveLength(2 * round.patches.length);
+});
+
+test("thousands of patches are split while somebody waits", { timeout: 20_000 }, () => {
+  const weaving = new Weaving();
+  for (let row = 0; row < 50; row += 1) {
+    for (let column = 0; column < 80; column += 1) {
+      const round = [0, 0, 1, 0, 2, 0, 2, 1, 2, 2, 1, 2, 0, 2, 0, 1];
+      const at = (place: number): Triple => [
+        2 * column + (round[2 * place] ?? 0),
+        2 * row + (round[2 * place + 1] ?? 0),
+        0,
+      ];
+      weaving.patch(Array.from({ length: 8 }, (_, place) => at(place)));
+    }
+  }
+  const large = weaving.network();
+  const middles = [...edgesOf(large).values()].map(({ sides }) => sides[0]?.vertices[1] ?? -1);
+  expect(done(split(large, new Set(middles))).network.patches).toHaveLength(16_000);
 });
 
 test("rings are found from one edge", () => {

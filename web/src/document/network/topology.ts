@@ -207,13 +207,34 @@ export function rowsOf(edges: readonly Edge[]): readonly Row[] | null {
   return rows;
 }
 
-/** Divides every patch of the strips that the picked edges run across, in the middle. */
+/** Divides every patch of the strips that the picked edges run across, in the middle. Where two of them cross, four patches are left of one. */
 export function split(network: Network, picked: ReadonlySet<number>): Building {
   const edges = edgesThrough(network, picked);
   if (edges.length === 0) return { refused: "no-edge" };
+  const middles = new Set(edges.map(({ sides }) => sides[0]?.vertices[1] ?? -1));
+  const next = new Set<number>();
+  let built = network;
+  // What was the middle of an edge is a corner once that is divided: what is left are edges of strips that cross these.
+  for (let left = edges; left.length > 0; left = edgesThrough(built, middles)) {
+    const divided = divide(built, left);
+    if ("refused" in divided) return divided;
+    built = divided.network;
+    for (const vertex of divided.picked) next.add(vertex);
+  }
+  return checked(network, { network: built, picked: next });
+}
+
+/** What a strip runs across: its edges, and for each of its patches whether along `u` or along `v`. */
+interface Strip {
+  readonly crossed: ReadonlyMap<string, Edge>;
+  readonly ways: ReadonlyMap<number, number>;
+}
+
+/** The strip that an edge lies across; null where it runs through a patch both ways. */
+function stripAcross(network: Network, from: Edge): Strip | null {
   const crossed = new Map<string, Edge>();
   const ways = new Map<number, number>();
-  const queue = edges.slice(0, 1);
+  const queue = [from];
   while (queue.length > 0) {
     const edge = queue.pop();
     if (!edge || crossed.has(edge.key)) continue;
@@ -221,13 +242,33 @@ export function split(network: Network, picked: ReadonlySet<number>): Building {
     for (const { patch, side } of edge.sides) {
       const way = side % 2;
       const before = ways.get(patch);
-      if (before !== undefined && before !== way) return { refused: "crossing" };
+      if (before !== undefined && before !== way) return null;
       ways.set(patch, way);
       const opposite = edgesOf(network).get(keyOf(sideOf((network.patches[patch] as Patch).frame, (side + 2) % 4)));
       if (opposite) queue.push(opposite);
     }
   }
-  if ([...ways.keys()].some((patch) => isSpanned(network, patch))) return { refused: "spanned" };
+  return { crossed, ways };
+}
+
+/** Divides the strips that these edges lie across, but for those that cross one before them. */
+function divide(network: Network, edges: readonly Edge[]): Building {
+  const crossed = new Map<string, Edge>();
+  const ways = new Map<number, number>();
+  const waiting = new Set<string>();
+  for (const edge of edges) {
+    if (crossed.has(edge.key) || waiting.has(edge.key)) continue;
+    const strip = stripAcross(network, edge);
+    if (!strip) return { refused: "crossing" };
+    if ([...strip.ways.keys()].some((patch) => ways.has(patch))) {
+      for (const key of strip.crossed.keys()) waiting.add(key);
+      continue;
+    }
+    for (const [key, each] of strip.crossed) crossed.set(key, each);
+    for (const [patch, way] of strip.ways) ways.set(patch, way);
+  }
+  const beside = neighboursOf(network);
+  if ([...ways.keys()].some((patch) => isSpanned(network, patch, beside[patch] ?? []))) return { refused: "spanned" };
   const vertices = [...network.vertices];
   const add = (point: Triple) => vertices.push(point) - 1;
   // Two new middles for each edge that is divided, from its first end on; what was its middle is a corner.
@@ -266,10 +307,10 @@ export function split(network: Network, picked: ReadonlySet<number>): Building {
     ];
   });
   for (const edge of crossed.values()) if (edge.sides[0]) next.add(edge.sides[0].vertices[1]);
-  return checked(network, {
+  return {
     network: { ...network, vertices, patches, ...(network.rule && { rule: "global" }) },
     picked: next,
-  });
+  };
 }
 
 function placeOn(side: number, share: number): readonly [number, number] {
@@ -286,12 +327,12 @@ function placeOn(side: number, share: number): readonly [number, number] {
 }
 
 /** Whether a force goes over the edges of the patch, or one of a patch beside it may come in. */
-function isSpanned(network: Network, patch: number): boolean {
+function isSpanned(network: Network, patch: number, beside: readonly number[]): boolean {
   const spans = (index: number) =>
     (network.patches[index]?.forces ?? []).some(({ u = UNIT, v = UNIT }) =>
       [...u, ...v].some((each) => each < 0 || each > 1),
     );
-  return spans(patch) || (neighboursOf(network)[patch] ?? []).some(spans);
+  return spans(patch) || beside.some(spans);
 }
 
 const UNIT = [0, 1] as const;

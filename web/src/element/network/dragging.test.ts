@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { Triple } from "../../document/types";
 import type { See } from "../../render/pull/reach";
-import { acrossView, type Grasp, moving, scaling, towardsEye, turning } from "./dragging";
+import { acrossView, type Grasp, moving, scaling, shifting, towardsEye, turning } from "./dragging";
 
 /** Seen from the front, against y, with 10 pixels for a unit: x to the right, z up. */
 const front: See = ([x, y, z]) => ({ x: 100 + 10 * x, y: 100 - 10 * z, depth: y });
@@ -37,6 +37,14 @@ test("what the hand has goes to the grid, or to the point that it meets, and the
     [2.1, 0, 1],
   );
   near(moving(grasp(), { x: 3, y: -2 }, [4, 1, 1])([0, 0, 0]), [2, 1, 1]);
+});
+
+test("keys keep to the grid as a hand does", () => {
+  near(shifting(grasp({ at: [2.1, 0, 0], grid: 0.5 }), [0.4, 0, -0.3])([2.1, 0, 0]), [2.5, 0, -0.5]);
+  near(shifting(grasp({ at: [2.1, 0, 0.2], grid: 0.5, way: [0, 0, 1] }), [0, 0, 0.5])([2.1, 0, 0.2]), [2.1, 0, 0.5]);
+  near(shifting(grasp({ at: [2.1, 0, 0.2] }), [0.4, 0, 0])([0, 1, 0]), [0.4, 1, 0]);
+  // Whole steps along a normal are no places of the grid.
+  near(shifting(grasp({ at: [0, 0, 0], grid: 1, way: [0.6, 0, 0.8] }), [0.6, 0, 0.8])([0, 0, 0]), [0.6, 0, 0.8]);
 });
 
 test("what is turned stays under the hand", () => {

@@ -1,6 +1,6 @@
 /** What a movement of the pointer means for points that are seen from somewhere: moved in the plane across the view or along a way, turned, or scaled. */
 
-import { type Motion, onGrid, scaleBy, shiftBy, turnBy } from "../../document/network/moving";
+import { type Motion, onGrid, scaleBy, shiftBy, shiftOnto, turnBy } from "../../document/network/moving";
 import { cross, dot, unit } from "../../document/network/surface";
 import { minus, plus } from "../../document/network/topology";
 import type { Triple } from "../../document/types";
@@ -61,15 +61,17 @@ export interface Grasp {
 
 export function moving(grasp: Grasp, by: Spot, meets: Triple | null): Motion {
   const { see, at, way, size, grid } = grasp;
-  if (meets) return shiftBy(minus(meets, at));
-  if (!way) {
-    const shift = acrossView(see, at, size, by);
-    return shiftBy(grid === null ? shift : minus(onGrid(plus(at, shift, 1), grid), at));
-  }
+  if (meets) return shiftOnto(at, meets);
+  if (!way) return shifting(grasp, acrossView(see, at, size, by));
   const [far = 0] = followed(see, at, [way], by);
-  const to = plus(at, way, grid === null ? far : Math.round(far / grid) * grid);
-  const straight = way.filter((value) => value !== 0).length === 1;
-  return shiftBy(minus(grid !== null && straight ? onGrid(to, grid, way) : to, at));
+  const steps = grid === null ? far : Math.round(far / grid) * grid;
+  return shifting(grasp, [way[0] * steps, way[1] * steps, way[2] * steps]);
+}
+
+/** By so far; where there is a grid, to the point of it that is nearest to there. Along a normal it goes by whole steps. */
+export function shifting({ at, way, grid }: Grasp, by: Triple): Motion {
+  const straight = !way || way.filter((value) => value !== 0).length === 1;
+  return shiftBy(grid !== null && straight ? minus(onGrid(plus(at, by, 1), grid, way ?? undefined), at) : by);
 }
 
 export function turning({ see, pivot, way, size, from }: Grasp, by: Spot): Motion {

@@ -11,7 +11,6 @@ import {
   middleOf,
   moved,
   scaleBy,
-  shiftBy,
   turnBy,
 } from "../../document/network/moving";
 import { type Network, sizeOf } from "../../document/network/network";
@@ -34,7 +33,7 @@ import { type NetworkDesk, networkDesk, networkOf, stepOf } from "../../work/net
 import { followed } from "../blend/grip-pull";
 import { DesignerElement } from "../designer-element";
 import { Lent } from "../lent";
-import { acrossView, type Grasp, moving, scaling, towardsEye, turning } from "./dragging";
+import { acrossView, type Grasp, moving, scaling, shifting, towardsEye, turning } from "./dragging";
 import {
   around,
   type Colours,
@@ -173,12 +172,12 @@ export class PasuNetworkHandles extends DesignerElement {
       <canvas class="behind" aria-hidden="true"></canvas>
       <canvas class="front" aria-hidden="true"></canvas>
       <div class="handles" role="group" aria-label=${words.handles} aria-describedby="keys">
-        ${picks.vertices.size > 1 ? this.handle({ kind: "pivot" }, words.pivot(picks.vertices.size), true) : nothing}
+        ${picks.vertices.size > 1 ? this.handle({ kind: "pivot" }, words.pivot(picks.vertices.size), null) : nothing}
         ${shown.map((index) => this.handle({ kind: "vertex", index }, this.reading(network, index), picks.vertices.has(index)))}
         ${patches.map((index) => this.handle({ kind: "patch", index }, words.patch(formatNumber(index + 1)), picks.patches.has(index)))}
         ${[...picks.patches].flatMap((patch) =>
           (network.patches[patch]?.forces ?? []).map((_, index) =>
-            this.handle({ kind: "crest", patch, index }, words.crest(formatNumber(index + 1)), false),
+            this.handle({ kind: "crest", patch, index }, this.crestOf(picks, patch, index), null),
           ),
         )}
       </div>
@@ -201,13 +200,20 @@ export class PasuNetworkHandles extends DesignerElement {
     return networkOf(this.designer);
   }
 
-  private handle(item: Item, label: string, picked: boolean) {
+  /** Of forces of several patches it is told which one's they are. */
+  private crestOf({ patches }: Picks, patch: number, index: number): string {
+    const crest = words.crest(formatNumber(index + 1));
+    return patches.size > 1 ? words.crestOf(crest, words.patch(formatNumber(patch + 1))) : crest;
+  }
+
+  /** What can be picked or left out is pressed or not; what is there as long as it can be dragged is neither. */
+  private handle(item: Item, label: string, picked: boolean | null) {
     return html`<button
       type="button"
       class=${item.kind}
       data-item=${nameOf(item)}
       aria-roledescription=${pull.handle}
-      aria-pressed=${picked ? "true" : "false"}
+      aria-pressed=${picked === null ? nothing : picked ? "true" : "false"}
       aria-label=${label}
       @keydown=${(event: KeyboardEvent) => this.key(event, item)}
       @keyup=${() => this.designer.store.endGesture()}
@@ -241,7 +247,7 @@ export class PasuNetworkHandles extends DesignerElement {
     const { touch } = this.desk.settings;
     const reach = NEAR[event.pointerType as keyof typeof NEAR] ?? NEAR.mouse;
     // Who draws a region means the surface, and not the points on it.
-    const found = this.nearest(from, reach, touch === "region");
+    const found = this.nearest(from, reach, ({ kind }) => touch !== "region" || kind === "crest");
     const begun = !found && touch === "region" ? touched(network, see, from) : null;
     if (!found && touch !== "box" && !begun) return;
     event.preventDefault();
@@ -267,14 +273,20 @@ export class PasuNetworkHandles extends DesignerElement {
       now: from,
       moves: false,
     };
-    if (item)
-      this.renderRoot.querySelector<HTMLElement>(`[data-item="${nameOf(item)}"]`)?.focus({ preventScroll: true });
+    if (item) void this.focusOn(item);
     if (event.pointerType !== "mouse" && (item?.kind === "vertex" || item?.kind === "patch"))
       this.resting = setTimeout(() => this.rest(), RESTS_MS);
     window.addEventListener("pointermove", this.move);
     window.addEventListener("pointerup", this.release);
     window.addEventListener("pointercancel", this.release);
   };
+
+  /** Of very many points those that are picked alone have a handle, which comes with the next drawing: keys go on where a hand has clicked. */
+  private async focusOn(item: Item): Promise<void> {
+    const handle = () => this.renderRoot.querySelector<HTMLElement>(`[data-item="${nameOf(item)}"]`);
+    if (!handle()) await this.updateComplete;
+    handle()?.focus({ preventScroll: true });
+  }
 
   /** A finger or a pen rests on a point: it is picked beside those before, and all of them can be dragged; or it is left out of them, and nothing is held. */
   private rest(): void {
@@ -298,12 +310,12 @@ export class PasuNetworkHandles extends DesignerElement {
     if (this.held) event.preventDefault();
   };
 
-  private nearest(spot: Spot, reach: number, onlyCrests: boolean): Placed | null {
+  private nearest(spot: Spot, reach: number, counts: (item: Item) => boolean): Placed | null {
     let best: Placed | null = null;
     let least = Number.POSITIVE_INFINITY;
     for (const placed of this.placed) {
       const far = Math.hypot(placed.seen.x - spot.x, placed.seen.y - spot.y);
-      if (far > reach || (onlyCrests && placed.item.kind !== "crest")) continue;
+      if (far > reach || !counts(placed.item)) continue;
       // What is behind is taken where nothing before it is as near; what is worked with goes first.
       const score =
         far +
@@ -371,13 +383,8 @@ export class PasuNetworkHandles extends DesignerElement {
   /** The point that the hand is over, where points meet. */
   private met({ item, picks, now }: Held): Triple | null {
     if (!this.desk.settings.meet || item?.kind !== "vertex") return null;
-    const other = this.placed.find(
-      ({ item: each, seen }) =>
-        each.kind === "vertex" &&
-        !picks.vertices.has(each.index) &&
-        Math.hypot(seen.x - now.x, seen.y - now.y) < NEAR.mouse,
-    );
-    return other?.at ?? null;
+    const others = (each: Item) => each.kind === "vertex" && !picks.vertices.has(each.index);
+    return this.nearest(now, NEAR.mouse, others)?.at ?? null;
   }
 
   /** Pulls the crest of a force out along the way that it points, or the normal. */
@@ -413,7 +420,8 @@ export class PasuNetworkHandles extends DesignerElement {
   private finish(held: Held, network: Network): void {
     const { item, begun, picks, grasp, now } = held;
     if (begun) {
-      this.sculpt(held, begun);
+      // A click is no region: what is as narrow as can be would be a spike.
+      if (!held.moves || !this.sculpt(held, begun)) this.designer.notices.say(words.noRegion);
       return;
     }
     if (!item) {
@@ -431,11 +439,11 @@ export class PasuNetworkHandles extends DesignerElement {
     this.desk.pick(network, toggled(network, picks, item, held.more));
   }
 
-  /** A force on the rectangle that was drawn, which rises a little: its crest is there to be pulled. */
-  private sculpt({ network, grasp, now }: Held, begun: NonNullable<Held["begun"]>): void {
+  /** A force on the rectangle that was drawn, which rises a little: its crest is there to be pulled. Whether the hand ended on the surface, where there can be one. */
+  private sculpt({ network, grasp, now }: Held, begun: NonNullable<Held["begun"]>): boolean {
     const patch = network.patches[begun.patch];
     const end = this.endOf(network, begun.patch, grasp.see, now);
-    if (!patch || !end) return;
+    if (!patch || !end) return false;
     const normal = normalOn(network, begun.patch, ...begun.at) ?? [0, 0, 1];
     const eye = towardsEye(grasp.see, grasp.at, grasp.size);
     const out = normal[0] * eye[0] + normal[1] * eye[1] + normal[2] * eye[2] < 0 ? -1 : 1;
@@ -448,6 +456,7 @@ export class PasuNetworkHandles extends DesignerElement {
     const after = this.network;
     if (after) this.desk.pick(after, withPatch(after, { vertices: new Set(), patches: new Set() }, begun.patch, false));
     this.desk.set({ touch: "view" });
+    return true;
   }
 
   /** Where a region ends: on the patches round the one that it begins on, laid flat. */
@@ -500,20 +509,22 @@ export class PasuNetworkHandles extends DesignerElement {
     }
     const picks = isPicked(was, item) ? was : toggled(network, was, item, this.desk.settings.several);
     if (picks !== was) this.desk.pick(network, picks);
-    const grasp = this.grasp(network, picks, item, null, see, { x: 0, y: 0 });
+    const held = item.kind === "vertex" ? (network.vertices[item.index] ?? null) : null;
+    const grasp = this.grasp(network, picks, item, held, see, { x: 0, y: 0 });
     this.change(network, picks, this.nudge(grasp, arrow, times), `keys ${nameOf(item)}`);
     const now = this.network;
     if (now && item.kind === "vertex") this.spoken = this.reading(now, item.index);
   }
 
-  private nudge({ see, pivot, way, size, grid }: Grasp, [right, up]: readonly [number, number], times: number): Motion {
+  private nudge(grasp: Grasp, [right, up]: readonly [number, number], times: number): Motion {
+    const { see, pivot, way, size, grid } = grasp;
     const { motion } = this.desk.settings;
     if (motion === "turn") return turnBy(pivot, way ?? towardsEye(see, pivot, size), -(right - up) * times * TURN);
     if (motion === "scale") return scaleBy(pivot, SCALE ** (times * (right + up)), way);
     const step = times * (grid ?? Number((size / STEPS).toPrecision(1)));
-    if (way) return shiftBy([way[0] * step * (right + up), way[1] * step * (right + up), way[2] * step * (right + up)]);
-    const along = unit(acrossView(see, pivot, size, { x: right, y: -up })) ?? [0, 0, 0];
-    return shiftBy([along[0] * step, along[1] * step, along[2] * step]);
+    const along = way ?? unit(acrossView(see, pivot, size, { x: right, y: -up })) ?? [0, 0, 0];
+    const far = way ? step * (right + up) : step;
+    return shifting(grasp, [along[0] * far, along[1] * far, along[2] * far]);
   }
 
   private raiseBy(network: Network, item: Extract<Item, { kind: "crest" }>, far: number): void {

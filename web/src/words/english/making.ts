@@ -118,7 +118,7 @@ export const making = phrases("making", {
     "open-surface": "The surface does not close round the axis, so it holds nothing.",
     "no-opening": "The surface closes to a point where the opening of a pot is, so nothing can be filled in.",
     "crosses-itself": "The surface runs through itself so far that it has no inside.",
-    "no-foot": "The shape has no foot and no rim, so it holds nothing.",
+    "no-foot": "The shape has no foot and no rim, between which it would be found how much it holds.",
     "no-bottom": "A tube has no bottom to hold anything. A base closes it.",
     dry: "In this position no water stays in it.",
     "too-long": "It takes too long to find out. Fewer or shallower waves or a thinner wall may do.",

@@ -38,6 +38,8 @@ export const wall = phrases("wall", {
     "It goes round a body, so that it is a solid as it is, which can be printed. A wall takes a free edge to end at.",
   closedWall: "It has a wall all the same, with which it cannot be made.",
   thicken: "Give it a thickness",
+  thickenedHelp:
+    "Along the normals, at every point of the network. Where the patches bend more tightly than this it is refused.",
   thickened: "It has a thickness everywhere, and is a body that can be made.",
   remove: "Remove the wall",
   footRing: "Foot ring",
