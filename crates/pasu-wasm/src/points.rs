@@ -10,8 +10,7 @@ pub(crate) fn part(part: &JsValue) -> Result<usize> {
     match part.as_f64() {
         Some(index) if index >= 0.0 && index <= f64::from(u32::MAX) && index.fract() == 0.0 => Ok(index as usize),
         Some(index) => {
-            let message = format!("expected the index of a part, found {index}");
-            Err(Error::new(Code::NoSuchPoint, "part", message).with("found", index))
+            Err(Error::new(Code::NoSuchPoint, "part", format!("expected the index of a part, found {index}")))
         }
         None => Err(Error::new(Code::WrongType, "part", "expected the index of a part, a number")),
     }

@@ -300,7 +300,7 @@ fn a_pot_is_found_again_from_its_own_profile() {
     }
 }
 
-/// Lines of few and of many points, of every size: at 480 places the fit was told to be nearer than it is, by up to eighty times, and passed the tolerance in one of seven.
+/// Lines of few and of many points, of every size: at 480 places the fit was told to be nearer than it is in a quarter of them, and passed the tolerance in one of seven.
 #[test]
 fn no_drawn_line_is_further_off_than_is_told() {
     let mut seed = 11u64;
