@@ -30,9 +30,10 @@ const MOST_WAVES: usize = 256;
 /// Samples round the axis for each wave that is looked for.
 const SAMPLES: usize = 4;
 
-/// At how many places from one ring to the next both surfaces are held against each other, the first of them among these: while rings are looked for, and before they are told.
+/// At how many places from one ring to the next both surfaces are held against each other, the first of them among these: while rings are looked for, and before they are told; and at how many in all then, where rings are few.
 const ROWS: usize = 4;
 const FINE_ROWS: usize = 16;
+const FINE_ROWS_IN_ALL: usize = 128;
 
 /// Between so many places it may be further off than at them by this part.
 const UNSEEN_BETWEEN: f64 = 0.01;
@@ -135,7 +136,8 @@ impl<'a> Search<'a> {
             let fitted = Surface::solve(&rings.boundary_value(), "")?;
             let Some(mut off) = self.off(&fitted, ROWS) else { return Ok(None) };
             if off.distance() <= self.tolerance {
-                match self.off(&fitted, FINE_ROWS) {
+                let rows = FINE_ROWS.max(FINE_ROWS_IN_ALL.div_ceil(self.places.len() - 1));
+                match self.off(&fitted, rows) {
                     Some(finer) => off = finer.widened(1.0 + UNSEEN_BETWEEN),
                     None => return Ok(None),
                 }

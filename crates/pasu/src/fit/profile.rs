@@ -358,7 +358,7 @@ impl<'a> Search<'a> {
                 let drawn = side.line.between(side.along(from), side.along(to));
                 watch::work(PIECE * (drawn.len() + chords.points.len()) as u64);
                 let far = made.as_ref().map_or(f64::INFINITY, |made| farthest(&drawn, made, close));
-                *off = off.max(far.max(farthest(&chords.points, &side.line, close)) + hidden);
+                *off = off.max(far.max(farthest(&chords.points, side.line, close)) + hidden);
             }
         }
         Ok(between)
