@@ -205,6 +205,26 @@ test("copies stand in a row and in a ring", async () => {
   expect(new Set((await objects(pot)).slice(0, 4)).size).toBe(4);
 });
 
+test("that there are too many copies is told as long as so many are asked for", async () => {
+  const parts = Array.from({ length: 10 }, (_, i) => block(`Block ${i}`, [3 * i, 0, 0]));
+  const pot = await scene({ ...SCENE, parts });
+  await row(pot, "Block 0").click();
+  await pot.page.keyboard.press("Control+a");
+  await open(pot);
+  const told = arrange(pot).getByText("A design has at most 500 parts.");
+  await pot.type("How many", "60");
+  await press(pot, "Make the row");
+  await told.waitFor();
+  await pot.type("How many", "5");
+  await told.waitFor({ state: "detached" });
+  await pot.type("How many", "60");
+  await press(pot, "Make the ring");
+  await told.waitFor();
+  await row(pot, "Block 1").click();
+  await told.waitFor({ state: "detached" });
+  expect(await rows(pot).count()).toBe(10);
+});
+
 test("the step of a row is that of the scene: in another one, and in another unit, it is proposed anew", async () => {
   const pot = await scene(SCENE);
   await row(pot, "Red").click();

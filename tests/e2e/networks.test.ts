@@ -717,6 +717,23 @@ test("a vase becomes patches, no further off than is said", { timeout: 120_000 }
   expect(await told(pot)).toContain("288 patches");
   await pot.undo();
   await pot.shows(vase);
+  // Where the part stands: ten times as large, it is ten times as far off.
+  const large = await pot.page.evaluate(() => {
+    const { designer } = document.querySelector("pasu-app") as unknown as {
+      designer: { store: { design: { parts: object[] } } };
+    };
+    const { design } = designer.store;
+    const parts = design.parts.map((part) => ({ ...part, place: { scale: [10, -10, 2] } }));
+    return JSON.stringify({ ...design, parts });
+  });
+  await pot.dropFile("large.json", large);
+  await pot.fingerprintOtherThan(vase);
+  await pot.button("Make it patches…").click();
+  await expect.poll(() => found.innerText(), { timeout: 30_000 }).toMatch(/^No further than [\d.]+ cm from the form/);
+  // Each is rounded up to two digits.
+  const times = (await off()) / coarse;
+  expect(times).toBeGreaterThan(9);
+  expect(times).toBeLessThan(11.5);
 });
 
 test("a network is saved as OBJ and opened again", async () => {

@@ -399,6 +399,19 @@ test("the tool is there for everybody, and one part alone is moved by its key", 
   await expect.poll(() => alone.page.locator("pasu-place-handles").count()).toBe(0);
 });
 
+test("of what is hidden the bar says so, since nobody sees what a handle moves", async () => {
+  const pot = await three();
+  await choose(pot, "Lid");
+  await takeParts(pot);
+  const note = pot.page.locator("pasu-place-bar").getByText("What is selected is hidden.");
+  expect(await note.count()).toBe(0);
+  await choose(pot, "Lid");
+  await pot.page.keyboard.press("h");
+  await note.waitFor();
+  await choose(pot, "Foot");
+  await note.waitFor({ state: "detached" });
+});
+
 test("what is left once the rest is hidden is fitted into the view, moved by keys by little, and all fits again", async () => {
   const block = (name: string, size: number, x: number, object: number) => ({
     name,

@@ -48,7 +48,8 @@ export class PasuArrange extends DesignerElement {
   @state() private centre: readonly [number, number] | null = null;
   @state() private angle = ALL_ROUND;
   @state() private turning = true;
-  @state() private problem = "";
+  /** So many copies of what was selected were more than there may be. */
+  @state() private refused: { readonly count: number; readonly of: Design; readonly selected: string } | null = null;
   /** Whether something is being pushed, and what is to be said of the last time, as long as nothing else has been done since. */
   @state() private pushing = false;
   @state() private pushed: { readonly said: string; readonly of: Design; readonly selected: string } | null = null;
@@ -250,7 +251,7 @@ export class PasuArrange extends DesignerElement {
           )}
         </div>
       </div>
-      <p class="problem" role="status">${this.problem}</p>`;
+      <p class="problem" role="status">${this.saidOfCopies()}</p>`;
   }
 
   /** Beside each other with a gap; round the middle of the others, or where there are none beside the part. */
@@ -286,8 +287,17 @@ export class PasuArrange extends DesignerElement {
   }
 
   private checked(change: Change): Change {
-    this.problem = change.undo === "none" ? partWords.tooMany(LIMITS.parts) : "";
+    const { state: now } = this.designer;
+    const asked = { count: this.count, of: now.design, selected: selectedIds(now).join() };
+    this.refused = change.undo === "none" ? asked : null;
     return change;
+  }
+
+  private saidOfCopies(): string {
+    const { refused, count } = this;
+    const { state: now } = this.designer;
+    const isSame = refused?.of === now.design && refused.selected === selectedIds(now).join();
+    return isSame && refused.count === count ? partWords.tooMany(LIMITS.parts) : "";
   }
 
   private group(heading: string, content: readonly unknown[]) {

@@ -24,12 +24,20 @@ export class PasuPlaceBar extends DesignerElement {
   // Apart from where parts are, so that a drag does not draw the bar, nor has the page laid out to know what is under it.
   readonly #unit = computed(() => unitOf(this.designer.store.design));
   readonly #loose = computed(() => looseIds(this.designer.store).length);
+  /** Why nothing of it moves, or is not seen to. */
+  readonly #note = computed(() => {
+    const { store } = this.designer;
+    const ids = looseIds(store);
+    if (ids.length === 0) return words.locked;
+    return ids.every((id) => store.session.hidden.includes(id)) ? words.unseen : "";
+  });
   readonly #step = computed(() => mannerOf(this.designer)?.step ?? null);
 
   override render() {
     const { designer } = this;
     const { session } = designer.store;
     const loose = this.#loose.value;
+    const note = this.#note.value;
     const step = lengthWords(this.#step.value ?? 1, this.#unit.value);
     return html`
       <div class="bar" role="group" aria-label=${words.tool}>
@@ -52,7 +60,7 @@ export class PasuPlaceBar extends DesignerElement {
           ${words.toTable}
         </button>
       </div>
-      <p class="note" role="status" ?hidden=${loose > 0}>${loose > 0 ? "" : words.locked}</p>
+      <p class="note" role="status" ?hidden=${note === ""}>${note}</p>
     `;
   }
 

@@ -13,6 +13,7 @@ export const handling = phrases("handling", {
   toTable: "On the table",
   toTableHelp: "The lowest point of each selected part comes down to the table, or up to it.",
   locked: "What is selected is locked.",
+  unseen: "What is selected is hidden.",
   handles: "Handles of the selected parts",
   handle: "handle",
   keys: "Arrow keys move, turn or scale, with Shift further. Over the table, Page Up and Page Down go up and down. Escape takes back what is under way.",
