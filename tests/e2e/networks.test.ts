@@ -383,9 +383,10 @@ test("the ends of a region are typed digit by digit, and one that would pass the
   const half = await pot.fingerprintOtherThan(pushed);
   await pot.type("u from, force 1", "0.6");
   await pot.page.getByText("The region ends at 0.5 along u: it has to begin before that.").waitFor();
-  expect(await pot.field("u from, force 1").inputValue()).toBe("0");
+  expect(await pot.field("u from, force 1").inputValue()).toBe("0.6");
   await pot.shows(half);
   await pot.type("v to, force 1", "-1");
+  expect(await pot.field("u from, force 1").inputValue()).toBe("0");
   await pot.page.getByText("The region begins at 0 along v: it has to end after that.").waitFor();
   await pot.type("u from, force 1", "0.25");
   await pot.fingerprintOtherThan(half);
@@ -706,6 +707,9 @@ test("a vase becomes patches, no further off than is said", { timeout: 120_000 }
   expect(await pot.field("Patches round").inputValue()).toBe("24");
   await pot.type("Patches from end to end", "130");
   await pot.page.getByText("It has to be a whole number from 1 to 120.").waitFor();
+  // What cannot be stands beside what is said of it.
+  await pot.page.keyboard.press("Tab");
+  expect(await pot.field("Patches from end to end").inputValue()).toBe("130");
   await pot.type("Patches from end to end", "12");
   expect(await pot.page.getByText("It has to be a whole number").count()).toBe(0);
   await expect.poll(off).toBeLessThan(coarse);

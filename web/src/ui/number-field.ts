@@ -74,7 +74,8 @@ export class PasuNumber extends LitElement {
     const kept = changed.has("min") || changed.has("max") ? { low: this.min, high: this.max } : this.range;
     this.range = reaching(kept, this.value);
     // The number changed from elsewhere (undo, a handle): what was typed no longer stands for anything. Under the hand of who types it stays, whatever was made of it: more digits may follow.
-    if (changed.has("value") && !this.matches(":focus-within")) this.forget();
+    const stale = changed.has("value") || (changed.has("problem") && this.problem === "");
+    if (stale && !this.matches(":focus-within")) this.forget();
   }
 
   override render() {
@@ -219,8 +220,9 @@ export class PasuNumber extends LitElement {
     if ("value" in typed && typed.value !== this.value) this.send(typed.value, true);
   };
 
+  /** What cannot be stays as it was typed, beside what is said of it. */
   private readonly leave = (): void => {
-    if (this.typo === "") this.forget();
+    if (this.typo === "" && this.problem === "") this.forget();
     this.finish();
   };
 
@@ -230,8 +232,7 @@ export class PasuNumber extends LitElement {
 
   private readonly fieldKey = (event: KeyboardEvent): void => {
     if (event.key === "Enter") {
-      if (this.typo === "") this.forget();
-      this.finish();
+      this.leave();
     } else if (event.key === "Escape" && this.draft !== null) {
       event.stopPropagation();
       this.forget();

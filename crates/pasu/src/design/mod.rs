@@ -81,6 +81,7 @@ pub(crate) use parameter::Parameter;
 pub use part::Part;
 pub use placement::Placement;
 pub use reader::read_from as read;
+pub(crate) use refusal::unknown_name;
 pub use ring::{Free, Ring};
 pub use rings::{Hoop, Rings, Series, Slopes, Wave};
 pub use shape::Shape;

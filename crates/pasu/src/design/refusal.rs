@@ -121,7 +121,7 @@ fn described(found: Unexpected) -> String {
 }
 
 /// A word that is none of those that may stand here.
-pub(super) fn unknown_name(found: &str, known: &[&str]) -> Error {
+pub(crate) fn unknown_name(found: &str, known: &[&str]) -> Error {
     // Whoever is told what kinds there are can have the whole.
     let left_out = if known.contains(&KIND) { LEFT_OUT } else { &[] };
     let all: Vec<&str> = known.iter().chain(left_out).copied().collect();

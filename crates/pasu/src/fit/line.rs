@@ -71,13 +71,13 @@ impl Line {
         (point - from - way * part).length()
     }
 
-    /// The piece that is nearest to a point; the sooner found, the nearer the one that is looked at first.
+    /// The piece that is nearest to a point, or the first that is found no further away than is near enough; the sooner, the nearer the one that is looked at first.
     ///
     /// A piece that is so far along from a point of the line that its distance from there cannot make up for it is passed over.
-    pub(super) fn nearest(&self, point: DVec2, first: usize) -> Nearest {
+    pub(super) fn nearest(&self, point: DVec2, first: usize, enough: f64) -> Nearest {
         let mut nearest = Nearest { piece: first, distance: self.distance_of(first, point) };
         let mut index = 0;
-        while index + 1 < self.points.len() {
+        while index + 1 < self.points.len() && nearest.distance > enough {
             let distance = self.distance_of(index, point);
             if distance < nearest.distance {
                 nearest = Nearest { piece: index, distance };
@@ -134,8 +134,9 @@ mod tests {
             [0.0, 0.125, 0.25, 0.5, 1.0].map(|along| bent.at(along).to_array()),
             [[1.0, 0.0], [2.5, 0.0], [4.0, 0.0], [4.0, 3.0], [4.0, 9.0]]
         );
-        assert_eq!(bent.nearest(DVec2::new(0.0, -1.0), 1).distance, 2f64.sqrt());
-        assert_eq!(bent.nearest(DVec2::new(6.0, 5.0), 0).distance, 2.0);
+        assert_eq!(bent.nearest(DVec2::new(0.0, -1.0), 1, 0.0).distance, 2f64.sqrt());
+        assert_eq!(bent.nearest(DVec2::new(6.0, 5.0), 0, 0.0).distance, 2.0);
+        assert_eq!(bent.nearest(DVec2::new(6.0, 5.0), 0, 9.0).piece, 0);
         let points =
             |from: f64, to: f64| bent.between(from, to).iter().map(|point| point.to_array()).collect::<Vec<_>>();
         assert_eq!(points(0.125, 0.5), [[2.5, 0.0], [4.0, 0.0], [4.0, 3.0]]);
@@ -153,7 +154,7 @@ mod tests {
             let pieces = line.points.len() - 1;
             let each = (0..pieces).map(|piece| line.distance_of(piece, point)).fold(f64::INFINITY, f64::min);
             for first in [0, 90, pieces - 1] {
-                let nearest = line.nearest(point, first);
+                let nearest = line.nearest(point, first, 0.0);
                 assert!((nearest.distance - each).abs() < 1e-12, "{i} {first}");
                 assert_eq!(line.distance_of(nearest.piece, point), nearest.distance);
             }

@@ -193,7 +193,12 @@ impl<'a> Search<'a> {
     fn of(lines: &'a [Line], a: f64, tolerance: f64) -> Search<'a> {
         let mut sides: Vec<Side> = lines.iter().map(|line| Side { line, known: vec![[0.0; 2]] }).collect();
         let mut places = vec![(0.0, false)];
-        for corner in together(lines, tolerance) {
+        let mut corners = together(lines, tolerance);
+        // A line with more of them than there may be rings trembles: it is taken for one without any.
+        if corners.len() > RINGS {
+            corners.clear();
+        }
+        for corner in corners {
             let u = stepped(corner.iter().sum::<f64>() / corner.len() as f64);
             if u - places[places.len() - 1].0 < STEP || u > 1.0 - STEP {
                 continue;
@@ -357,8 +362,8 @@ impl<'a> Search<'a> {
             for ((off, [from, to]), chords) in between.iter_mut().zip(bays).zip(&chords) {
                 let drawn = side.line.between(side.along(from), side.along(to));
                 watch::work(PIECE * (drawn.len() + chords.points.len()) as u64);
-                let far = made.as_ref().map_or(f64::INFINITY, |made| farthest(&drawn, made, close));
-                *off = off.max(far.max(farthest(&chords.points, side.line, close)) + hidden);
+                let far = made.as_ref().map_or(f64::INFINITY, |made| farthest(&drawn, made, close, 0.0));
+                *off = off.max(farthest(&chords.points, side.line, close, far) + hidden);
             }
         }
         Ok(between)

@@ -1,6 +1,7 @@
 //! What a hand leaves as it is.
 
-use crate::error::{Code, Error, Result};
+use crate::design::unknown_name;
+use crate::error::Result;
 
 /// Which of these names are to be kept.
 ///
@@ -9,12 +10,8 @@ use crate::error::{Code, Error, Result};
 pub(super) fn kept<const N: usize>(names: [&str; N], keep: &[String]) -> Result<[bool; N]> {
     let mut kept = [false; N];
     for (index, word) in keep.iter().enumerate() {
-        let known = names.iter().position(|name| name == word).ok_or_else(|| {
-            let message = format!("expected {}, found {word:?}", names.join(", "));
-            let error = Error::new(Code::UnknownName, format!("keep[{index}]"), message);
-            error.with("words", names.as_slice()).with("found", word.as_str())
-        })?;
-        kept[known] = true;
+        let known = names.iter().position(|name| name == word);
+        kept[known.ok_or_else(|| unknown_name(word, &names).at(format!("keep[{index}]")))?] = true;
     }
     Ok(kept)
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::least_change::{Mover, least_change};
-use crate::design::{Dimension, Parameter, Shape};
+use crate::design::{Dimension, Parameter, Shape, unknown_name};
 use crate::error::{Code, Error, Result};
 use crate::surface::Surface;
 
@@ -50,10 +50,8 @@ fn kept(numbers: &[Parameter], keep: &[String]) -> Result<Vec<bool>> {
         keep.iter().enumerate().find(|(_, word)| !numbers.iter().any(|number| names(number, word)))
     {
         let known: Vec<String> = numbers.iter().map(Parameter::path).collect();
-        let message = format!("expected numbers of the shape ({}), found {word:?}", known.join(", "));
-        let words: Vec<&str> = known.iter().map(String::as_str).collect();
-        let error = Error::new(Code::UnknownName, format!("keep[{index}]"), message);
-        return Err(error.with("words", words.as_slice()).with("found", word.as_str()));
+        let known: Vec<&str> = known.iter().map(String::as_str).collect();
+        return Err(unknown_name(word, &known).at(format!("keep[{index}]")));
     }
     let is_wave = |number: &Parameter| number.field.dimension == Dimension::Waves;
     Ok(numbers.iter().map(|number| is_wave(number) || keep.iter().any(|word| names(number, word))).collect())

@@ -373,6 +373,26 @@ fn every_pot_of_the_gallery_is_found_again_from_its_own_points() {
     assert!(found_again >= 40, "{found_again}");
 }
 
+/// Two hundred corners were two hundred sharp rings, which no document may have; and thousands of points that go to and fro took minutes.
+#[test]
+fn what_trembles_has_no_more_rings_than_a_document_may() {
+    for n in [200, 4_000] {
+        let line =
+            drawn(n, |along| [if (along * f64::from(n)).round() % 2.0 == 0.0 { 3.0 } else { 6.0 }, 20.0 * along]);
+        let rough = fit(&Profile::new(line.clone()), 1.8).unwrap();
+        assert!(rough.distance <= 1.8 && pot(&rough.design).rings.len() <= 66, "{}", rough.distance);
+        assert!(Design::parse(&rough.design.link()).is_ok());
+        let Err(error) = fit(&Profile::new(line.clone()), 0.01) else { panic!("{n} corners in 66 rings") };
+        assert_eq!((error.code(), error.path()), (Code::ToleranceTooFine, "tolerance"));
+        // The same on both sides and apart.
+        if n == 200 {
+            let mut both = Profile::new(line.clone());
+            both.left = Some(line.iter().map(|number| 1.01 * number).collect());
+            assert!(fit(&both, 2.0).is_ok_and(|found| pot(&found.design).rings.len() <= 66));
+        }
+    }
+}
+
 #[test]
 fn what_is_no_line_is_refused() {
     let refused = |right: Vec<f64>, tolerance: f64| {

@@ -78,7 +78,7 @@ export class PasuArrange extends DesignerElement {
     const selected = selectedIds(designer.state);
     const several = selected.length > 1;
     return html`
-      ${this.isLocked ? html`<p class="locked">${icon("locked")} ${handling.locked}</p>` : nothing}
+      ${this.isLocked ? html`<p class="locked">${icon("locked")}${handling.locked}</p>` : nothing}
       ${
         several
           ? this.order(selected.length)
@@ -373,6 +373,9 @@ export class PasuArrange extends DesignerElement {
         accent-color: var(--accent);
       }
       .locked {
+        display: flex;
+        align-items: center;
+        gap: 6px;
         padding-top: 6px;
         color: var(--soft);
         font-size: 0.88rem;

@@ -171,6 +171,7 @@ export class PasuPatchCard extends DesignerElement {
         display: grid;
         grid-template-columns: repeat(2, minmax(0, 1fr));
         gap: 8px;
+        align-items: start;
       }
     `,
   ];

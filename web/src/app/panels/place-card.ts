@@ -74,7 +74,7 @@ export class PasuPlace extends UnhurriedElement {
     const locked = this.designer.store.session.locked.includes(ids[at] ?? -1);
     return html`<details ?open=${isLength}>
       <summary><h3>${words.heading}</h3><span>${words.about}</span></summary>
-      ${locked ? html`<p class="locked">${icon("locked")} ${words.locked}</p>` : nothing}
+      ${locked ? html`<p class="locked">${icon("locked")}${words.locked}</p>` : nothing}
       <div ?inert=${locked}>
       ${AXES.map((axis) =>
         this.number({
@@ -237,6 +237,9 @@ export class PasuPlace extends UnhurriedElement {
         padding: 4px 0 12px;
       }
       .locked {
+        display: flex;
+        align-items: center;
+        gap: 6px;
         color: var(--soft);
         font-size: 0.84rem;
       }

@@ -1,6 +1,6 @@
 /** A closed line that was drawn, as a Fourier series with few waves, and how far that is from the line. */
 
-import { evenly, lengthOf, type Spot } from "../drawn/knot";
+import { between, evenly, lengthOf, type Spot, turnAt } from "../drawn/knot";
 import { type Complex, type OutlineSection, seriesOf, sizeOf, turnedBy, type Waves } from "./waves";
 
 export interface DrawnOutline extends Pick<OutlineSection, "x" | "y"> {
@@ -110,13 +110,12 @@ interface Place {
 /** Where a closed line turns: between two points of many it may be further off than at both. */
 function cornersOf(closed: readonly Spot[]): readonly Place[] {
   const length = lengthOf(closed);
+  const around = [...closed.slice(-2, -1), ...closed];
   let done = 0;
   return closed.slice(0, -1).flatMap((spot, at) => {
-    const [before, after] = [closed[at === 0 ? closed.length - 2 : at - 1] as Spot, closed[at + 1] as Spot];
-    const [x0, y0, x1, y1] = [spot.x - before.x, spot.y - before.y, after.x - spot.x, after.y - spot.y];
     const share = done / length;
-    done += Math.hypot(x1, y1);
-    return Math.abs(Math.atan2(x0 * y1 - x1 * y0, x0 * x1 + y0 * y1)) > TURN ? [{ spot, share }] : [];
+    done += between(spot, closed[at + 1] as Spot);
+    return turnAt(around, at + 1, 1) > TURN ? [{ spot, share }] : [];
   });
 }
 

@@ -21,6 +21,13 @@ export function lengthOf(line: readonly Spot[]): number {
   return length;
 }
 
+/** By how much a line turns at one of its points, in radians, seen over so many of them to either side. */
+export function turnAt(line: readonly Spot[], i: number, over: number): number {
+  const [a, b, c] = [line[i - over] as Spot, line[i] as Spot, line[i + over] as Spot];
+  const [x1, y1, x2, y2] = [b.x - a.x, b.y - a.y, c.x - b.x, c.y - b.y];
+  return Math.abs(Math.atan2(x1 * y2 - y1 * x2, x1 * x2 + y1 * y2));
+}
+
 /** The same line as points that are so far apart, about, both ends among them; none of a line without length. */
 export function evenly(line: readonly Spot[], gap: number): readonly Spot[] {
   const length = lengthOf(line);

@@ -1,6 +1,6 @@
 /** What a hand, a file or a picture drew as few knots: what trembles is smoothed, what turns sharply is a corner. */
 
-import { between, evenly, type Knot, type Spot } from "./knot";
+import { between, evenly, type Knot, type Spot, turnAt } from "./knot";
 
 /** Points of a line that is looked at, so far apart. */
 const GAP = 2;
@@ -63,12 +63,6 @@ function corners(line: readonly Spot[]): readonly number[] {
     } else found.push({ at: i, turn });
   }
   return found.map(({ at }) => at);
-}
-
-function turnAt(line: readonly Spot[], i: number, over: number): number {
-  const [a, b, c] = [line[i - over] as Spot, line[i] as Spot, line[i + over] as Spot];
-  const [x1, y1, x2, y2] = [b.x - a.x, b.y - a.y, c.x - b.x, c.y - b.y];
-  return Math.abs(Math.atan2(x1 * y2 - y1 * x2, x1 * x2 + y1 * y2));
 }
 
 /** As few of the points as keep the line within a distance (Ramer 1972, Douglas and Peucker 1973). */
