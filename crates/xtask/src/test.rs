@@ -21,7 +21,8 @@ end and of the library as it is published, and the browser tests.
            OpenCASCADE, PrusaSlicer, resvg and the glTF validator. They are installed when first needed
   --package
            instead of all that, pack the crate `pasu`, run its tests in an empty folder, and compare its interface
-           with that of the last tag";
+           with that of the last tag. With CI set, where the same tests of the mathematics ran before, these are
+           compiled alone";
 
 pub(crate) fn main(arguments: &[String]) -> Result<()> {
     let fast = match arguments {
@@ -56,11 +57,6 @@ pub(crate) fn main(arguments: &[String]) -> Result<()> {
         });
     }
     report.close()
-}
-
-/// Whether nobody waits for the answer, as in continuous integration: more pots are drawn there.
-fn is_unattended() -> bool {
-    std::env::var_os("CI").is_some()
 }
 
 fn with_tools() -> Result<()> {
@@ -106,13 +102,7 @@ fn rust(report: &mut Report, workspace: &Workspace) {
     report.check("documentation", || {
         command::run(cargo(&["doc", "--no-deps", "--package", "pasu", "--quiet"]).env("RUSTDOCFLAGS", "-D warnings"))
     });
-    report.tests("native tests", cargo_count, || {
-        let mut tests = cargo(&["test", "--all-features", "--no-fail-fast"]);
-        if is_unattended() {
-            tests.env("POTS", "400");
-        }
-        Ok(tests)
-    });
+    report.tests("native tests", cargo_count, || Ok(cargo(&["test", "--all-features", "--no-fail-fast"])));
     report.tests("WebAssembly tests in Node", cargo_count, || {
         command::run(&mut cargo(&["build", "--package", "wasm-test-runner"]))?;
         let runner = workspace.target().join("debug").join(format!("wasm-test-runner{}", std::env::consts::EXE_SUFFIX));

@@ -71,16 +71,17 @@ pub(crate) fn build(workspace: &Workspace, care: Care) -> Result<()> {
     fs::create_dir_all(&package)?;
 
     let module = |lanes, content| compile(workspace, "pasu-wasm", care, lanes, content);
-    // What is optimised as a whole keeps one processor busy: the module without SIMD, which has a folder of its own in any case, is compiled beside the
-    // others. These come one after the other in the same folder, where all that they share is compiled once.
-    let (simd, scalar) = thread::scope(|scope| {
+    // What is optimised as a whole keeps one processor busy, and so each of these compiles beside the others in a folder of its own. That some of the crates
+    // below are compiled more than once takes less time than waiting for one another does.
+    let (drawing, scalar, whole) = thread::scope(|scope| {
+        let drawing = scope.spawn(|| module(Lanes::Simd, Content::Drawing));
         let scalar = scope.spawn(|| module(Lanes::Scalar, Content::Whole));
-        let simd = module(Lanes::Simd, Content::Drawing)
-            .and_then(|drawing| Ok((drawing, module(Lanes::Simd, Content::Whole)?)));
-        (simd, scalar.join())
+        let whole = module(Lanes::Simd, Content::Whole);
+        (drawing.join(), scalar.join(), whole)
     });
-    let (drawing, whole) = simd?;
-    let scalar = scalar.unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
+    let of_thread =
+        |result: thread::Result<Result<PathBuf>>| result.unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+    let (drawing, scalar, whole) = (of_thread(drawing)?, of_thread(scalar)?, whole?);
 
     step(workspace, "module for drawing", care, &[&drawing], &["pasu_drawing_bg.wasm", "drawing_bindings.js"], || {
         let bound = bind(workspace, &drawing, "pasu_drawing", care, "bindgen-drawing")?;
@@ -164,8 +165,8 @@ enum Content {
     Whole,
 }
 
-/// Compiles one crate of bindings and returns the module, unless it was compiled from the same sources before: two modules of one crate are to Cargo each a
-/// change of the other, and optimised as a whole anew.
+/// Compiles one crate of bindings and returns the module, unless it was compiled from the same sources before, however young their files are: what is optimised
+/// as a whole takes minutes.
 fn compile(workspace: &Workspace, package: &str, care: Care, lanes: Lanes, content: Content) -> Result<PathBuf> {
     let name = format!("{package}-{care:?}-{lanes:?}-{content:?}");
     let crates: &[&str] = if package == "bench-wasm" { &["pasu", "bench"] } else { &["pasu"] };
@@ -181,38 +182,35 @@ fn compile(workspace: &Workspace, package: &str, care: Care, lanes: Lanes, conte
         return Ok(kept);
     }
     stamp.clear();
-    let compiled = run_rustc(workspace, package, care, lanes, content)?;
-    // The next module of the same crate takes the place of this one.
+    let target = match (lanes, content) {
+        (Lanes::Simd, Content::Whole) => workspace.target().to_owned(),
+        (Lanes::Simd, Content::Drawing) => workspace.target().join("drawing"),
+        (Lanes::Scalar, _) => workspace.target().join("scalar"),
+    };
+    let mut command = Command::new(cargo());
+    // The module alone: for the tests the crate is a library as well, and what is one is not optimised across crates.
+    command
+        .args(["rustc", "--package", package, "--lib", "--crate-type", "cdylib", "--target", wasm_target::TRIPLE])
+        .args(["--profile", care.profile(), "--target-dir"])
+        .arg(&target)
+        .current_dir(workspace.root());
+    if content == Content::Drawing {
+        command.arg("--no-default-features");
+    }
+    if lanes == Lanes::Scalar {
+        // Takes the place of the flags in .cargo/config.toml.
+        command.env("RUSTFLAGS", "-C llvm-args=-inline-threshold=50");
+    }
+    command::run(&mut command)?;
+    let folder = target.join(wasm_target::TRIPLE).join(care.profile());
+    let compiled = folder.join(package.replace('-', "_")).with_extension("wasm");
+    // That of another checkout may take its place: they can share a target folder.
     if let Some(folder) = kept.parent() {
         fs::create_dir_all(folder)?;
     }
     fs::copy(&compiled, &kept).with_context(|| format!("cannot copy {}", compiled.display()))?;
     stamp.save()?;
     Ok(kept)
-}
-
-/// Compiles one crate of bindings and returns where Cargo puts every module of it.
-fn run_rustc(workspace: &Workspace, package: &str, care: Care, lanes: Lanes, content: Content) -> Result<PathBuf> {
-    let mut command = Command::new(cargo());
-    // The module alone: for the tests the crate is a library as well, and what is one is not optimised across crates.
-    command
-        .args(["rustc", "--package", package, "--lib", "--crate-type", "cdylib", "--target", wasm_target::TRIPLE])
-        .args(["--profile", care.profile()])
-        .current_dir(workspace.root());
-    if content == Content::Drawing {
-        command.arg("--no-default-features");
-    }
-    let target = match lanes {
-        Lanes::Simd => workspace.target().to_owned(),
-        // Other flags in the same folder would compile everything anew each time.
-        Lanes::Scalar => workspace.target().join("scalar"),
-    };
-    if lanes == Lanes::Scalar {
-        // Takes the place of the flags in .cargo/config.toml.
-        command.env("RUSTFLAGS", "-C llvm-args=-inline-threshold=50").arg("--target-dir").arg(&target);
-    }
-    command::run(&mut command)?;
-    Ok(target.join(wasm_target::TRIPLE).join(care.profile()).join(package.replace('-', "_")).with_extension("wasm"))
 }
 
 /// A module with its bindings.

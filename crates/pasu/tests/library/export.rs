@@ -5,6 +5,7 @@
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
+use crate::support::golden::golden;
 use crate::support::random::{Random, drawn};
 use crate::support::step::{Spline, arguments};
 use crate::support::{design, gallery};
@@ -15,8 +16,6 @@ use pasu::{
 };
 use serde_json::Value;
 use xxhash_rust::xxh64::xxh64;
-
-const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/goldens/files.json");
 
 /// A jar of revolution, a dinted vase and a twisted one, of the gallery.
 const JAR: &str = r#""kind": "fourth-order", "r0": 5.5, "r1": 5.4, "rm": 9.4, "h1": 20, "eta": [1.4, -1.9], "dz": [34, 9], "s": [1, 1], "t": [2, 2], "w": [1, 1]"#;
@@ -432,10 +431,7 @@ fn files_are_golden() {
             found.insert(format!("{name}.{format}"), format!("{:016x}", xxh64(bytes, 0)));
         }
     }
-    if std::env::var_os("PASU_BLESS").is_some() {
-        std::fs::write(GOLDENS, serde_json::to_string_pretty(&found).unwrap() + "\n").unwrap();
-    }
-    let golden: BTreeMap<String, String> = serde_json::from_str(&std::fs::read_to_string(GOLDENS).unwrap()).unwrap();
+    let golden = golden!("files.json").beside(&found);
     assert_eq!(found, golden);
 }
 

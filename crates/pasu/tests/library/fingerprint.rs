@@ -2,20 +2,16 @@
 
 use std::collections::BTreeMap;
 
+use crate::support::golden::golden;
 use crate::support::{corpus, design, design_of, design_of_case};
 use pasu::fingerprint;
-
-const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/goldens/fingerprints.json");
 
 /// After a change of results that is meant, `PASU_BLESS=1 cargo test -p pasu --test library fingerprint` writes the file anew; the CHANGELOG says why.
 #[test]
 fn of_the_corpus_are_golden() {
     let found: BTreeMap<String, String> =
         corpus().iter().map(|case| (case.name.clone(), fingerprint(&design_of_case(case)).unwrap())).collect();
-    if std::env::var_os("PASU_BLESS").is_some() {
-        std::fs::write(GOLDENS, serde_json::to_string_pretty(&found).unwrap() + "\n").unwrap();
-    }
-    let golden: BTreeMap<String, String> = serde_json::from_str(&std::fs::read_to_string(GOLDENS).unwrap()).unwrap();
+    let golden = golden!("fingerprints.json").beside(&found);
     assert_eq!(found, golden);
 }
 

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::support::documents::document;
+use crate::support::golden::golden;
 use crate::support::{corpus, design, design_of, design_of_case};
 use pasu::Design;
 use proptest::prelude::*;
@@ -68,8 +69,6 @@ fn everything_else_is_packed() {
     }
 }
 
-const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/goldens/links.json");
-
 /// Links that have been sent open for ever: the golden file maps each to its document. It may grow; `PASU_BLESS=1 cargo
 /// test -p pasu --test library links` adds the reference corpus to it. No line of it may ever change within a format version.
 #[test]
@@ -78,10 +77,7 @@ fn links_of_this_version_are_golden() {
     designs
         .extend([packed(), Design::parse("1/second-order?title=Dint%20vase&unit=in&glaze=shino&clay=black").unwrap()]);
     let found: BTreeMap<String, String> = designs.iter().map(|design| (design.link(), design.to_json())).collect();
-    if std::env::var_os("PASU_BLESS").is_some() {
-        std::fs::write(GOLDENS, serde_json::to_string_pretty(&found).unwrap() + "\n").unwrap();
-    }
-    let golden: BTreeMap<String, String> = serde_json::from_str(&std::fs::read_to_string(GOLDENS).unwrap()).unwrap();
+    let golden = golden!("links.json").beside(&found);
     for (link, document) in &golden {
         let design = Design::parse(link).unwrap();
         assert_eq!((&design.link(), &design.to_json()), (link, document));

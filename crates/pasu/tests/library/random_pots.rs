@@ -1,6 +1,6 @@
 //! Random designs: each is made and passes every check, with its ring fitted where that has no room, or is refused with a reason, a place in the document and a remedy.
 //!
-//! What its time buys: designs that nobody has thought of. What went wrong on pots went wrong on random ones. `POTS=1000 cargo test -p pasu --test library random_pots` makes as many; continuous integration makes 400.
+//! What its time buys: designs that nobody has thought of. What went wrong on pots went wrong on random ones. `POTS=1000 cargo test -p pasu --test library random_pots` makes as many.
 
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Mutex;

@@ -5,6 +5,7 @@
 use std::collections::BTreeMap;
 
 use crate::support::documents::document;
+use crate::support::golden::golden;
 use crate::support::{Exhibit, corpus, design, design_of_case, gallery};
 use glam::{DMat3, DVec3, Vec3};
 use pasu::{Design, Mesh, MeshOptions, Surface, bound, mesh};
@@ -362,8 +363,6 @@ proptest! {
     }
 }
 
-const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/goldens/tessellations.json");
-
 /// Grid, places of the rows and bound are the same bits on every machine; the tests in Node read the file too.
 ///
 /// After a change of results that is meant, `PASU_BLESS=1 cargo test -p pasu --test library tolerance::of_the_gallery` writes the file anew; the CHANGELOG says why.
@@ -375,10 +374,7 @@ fn of_the_gallery_are_golden() {
     };
     let found: BTreeMap<String, String> =
         gallery().iter().map(|exhibit| (exhibit.name.clone(), tessellation(exhibit))).collect();
-    if std::env::var_os("PASU_BLESS").is_some() {
-        std::fs::write(GOLDENS, serde_json::to_string_pretty(&found).unwrap() + "\n").unwrap();
-    }
-    let golden: BTreeMap<String, String> = serde_json::from_str(&std::fs::read_to_string(GOLDENS).unwrap()).unwrap();
+    let golden = golden!("tessellations.json").beside(&found);
     assert_eq!(found, golden);
 }
 

@@ -1,6 +1,7 @@
 //! What several test files share: the reference corpus and designs written as JSON.
 
 pub(crate) mod documents;
+pub(crate) mod golden;
 pub(crate) mod networks;
 pub(crate) mod random;
 pub(crate) mod step;

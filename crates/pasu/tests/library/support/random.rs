@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-/// How many are drawn: so many in a run by hand, and so many where nobody waits for the answer, as in continuous integration, which says so by `POTS`.
+/// How many are drawn: so many as a rule, and so many where nobody waits for the answer, as before a release, which is said by `POTS=400`.
 pub(crate) fn drawn(by_hand: u64, unattended: u64) -> u64 {
     if std::env::var_os("POTS").is_some() { unattended } else { by_hand }
 }
