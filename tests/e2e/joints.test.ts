@@ -74,6 +74,23 @@ test("keys move it, and it travels in the link", async () => {
   await expect.poll(() => field(opened, "Pull the drawer").inputValue()).toBe("4.11");
 });
 
+test("one part alone is moved by the sliders that it has, until the last is taken away", async () => {
+  const joints = { z: { label: "Lift", limits: [0, 3] } };
+  const vase = { name: "Vase", shape: { kind: "second-order", r: [1, 0, 0.6, 0.06], height: 2 }, joints };
+  const pot = await scene({ ...CABINET, parts: [vase] });
+  await slider(pot, "Lift").focus();
+  await pot.page.keyboard.press("End");
+  await expect.poll(async () => (await standing(pot))[0]?.shift[2]).toBe(3);
+  expect(await findings(pot)).toEqual([]);
+  await settings(pot, "Lift").click();
+  await pot.page.getByRole("button", { name: "Take this slider away" }).focus();
+  await pot.page.keyboard.press("Enter");
+  await expect.poll(() => pot.page.locator("pasu-place").count()).toBe(0);
+  expect(await pot.page.evaluate(() => document.activeElement?.localName)).not.toBe("body");
+  await pot.undo();
+  await slider(pot, "Lift").waitFor();
+});
+
 test("a number of the placement becomes a slider, with a label and limits of its own, and goes again", async () => {
   const pot = await scene(CABINET);
   await pot.page.locator("pasu-parts [role=option]").filter({ hasText: "Case" }).click();

@@ -207,8 +207,9 @@ test("where nothing is picked no number stands, and one that nothing has is told
   expect(await point.getAttribute("aria-valuetext")).toBe("none");
   expect(await findings(pot)).toEqual([]);
   for (const [field, number, said] of [
-    ["Point", "9", "Points have the numbers 1 to 8."],
+    // 0 first, where the field is empty still.
     ["Point", "0", "Points have the numbers 1 to 8."],
+    ["Point", "9", "Points have the numbers 1 to 8."],
     ["Point", "2.5", "Points have the numbers 1 to 8."],
     ["Patch", "-1", "Patches have the numbers 1 to 1."],
   ] as const) {

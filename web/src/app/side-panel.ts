@@ -34,10 +34,10 @@ export class PasuPanel extends DesignerElement {
     const { parts } = this.designer.store.design;
     return parts.length === 1 && parts[0]?.shape.kind === "rings";
   });
-  /** A part among others stands somewhere, and an octant is as large as its placement says. */
+  /** A part among others stands somewhere, an octant is as large as its placement says, and what has sliders of the scene is moved by them. */
   readonly #isPlaced = computed(() => {
     const { parts } = this.designer.store.design;
-    return parts.length > 1 || parts[0]?.shape.kind === "octant";
+    return parts.length > 1 || parts[0]?.shape.kind === "octant" || !!parts[0]?.joints;
   });
   private fetched: Tab | null = null;
   private listed = false;
@@ -52,9 +52,9 @@ export class PasuPanel extends DesignerElement {
   }
 
   override willUpdate(): void {
-    const list = this.shadowRoot?.activeElement?.localName === "pasu-parts";
-    // With the last but one part the list goes, and with it what had the focus.
-    if (list && this.designer.store.ids.length < 2) void this.updateComplete.then(() => this.focus());
+    const held = this.shadowRoot?.activeElement;
+    // With the last but one part the list goes, with its last slider the placement of what is alone, and with them what had the focus.
+    if (held) void this.updateComplete.then(() => held.isConnected || this.focus());
     const { tab } = this.designer.store.session;
     if (tab === this.fetched) return;
     this.fetched = tab;

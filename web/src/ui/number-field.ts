@@ -217,7 +217,8 @@ export class PasuNumber extends LitElement {
     this.draft = (event.target as HTMLInputElement).value;
     const typed = this.read(this.draft);
     this.typo = "problem" in typed ? numberProblemWords(typed.problem) : "";
-    if ("value" in typed && typed.value !== this.value) this.send(typed.value, true);
+    // In an empty field every number is another one.
+    if ("value" in typed && (this.blank || typed.value !== this.value)) this.send(typed.value, true);
   };
 
   /** What cannot be stays as it was typed, beside what is said of it. */

@@ -72,7 +72,8 @@ export class PasuPlace extends UnhurriedElement {
     const step = stepUnder(MOST_STEP, (box ? longestOf(box) : width) / STEPS);
     const grows = stepUnder(MOST_GROWTH, largest / STEPS);
     const locked = this.designer.store.session.locked.includes(ids[at] ?? -1);
-    return html`<details ?open=${isLength}>
+    // Of one part alone it is there for the sake of its size or of its sliders.
+    return html`<details ?open=${isLength || ids.length === 1}>
       <summary><h3>${words.heading}</h3><span>${words.about}</span></summary>
       ${locked ? html`<p class="locked">${icon("locked")}${words.locked}</p>` : nothing}
       <div ?inert=${locked}>
@@ -235,6 +236,10 @@ export class PasuPlace extends UnhurriedElement {
       details {
         border-top: 1px solid var(--line);
         padding: 4px 0 12px;
+      }
+      pasu-joints {
+        display: block;
+        margin-top: 16px;
       }
       .locked {
         display: flex;

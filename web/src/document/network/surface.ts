@@ -176,7 +176,7 @@ function strips(network: Network) {
 }
 
 /** How soon each patch comes after the one that decides first; null where all decide together. */
-function orderOf(network: Network): readonly number[] | null {
+export function orderOf(network: Network): readonly number[] | null {
   const { rule = "global", patches } = network;
   if (rule === "global") return null;
   const beside = neighboursOf(network);

@@ -173,6 +173,28 @@ test("what cannot be done is refused by name", () => {
   expect(everywhere.some((each) => "refused" in each && each.refused === "spanned")).toBe(true);
 });
 
+test("a rule that begins with a patch goes on with half of it, and with the next where it is taken away", () => {
+  const round: Network = { ...can(), rule: { seed: 2 } };
+  const below = (patch: number) =>
+    new Set(
+      free(round)
+        .filter(({ sides: [side] }) => side?.patch === patch)
+        .slice(0, 1)
+        .map(({ sides }) => sides[0]?.vertices[1] ?? -1),
+    );
+  const seed = (building: Building) => done(building).network.rule;
+  expect(done(split(round, below(0))).network.patches).toHaveLength(7);
+  expect(seed(split(round, below(0)))).toEqual({ seed: 3 });
+  expect(seed(split(round, below(2)))).toEqual({ seed: 2 });
+  expect(seed(split(round, below(3)))).toEqual({ seed: 2 });
+  expect(seed(removed(round, new Set([0])))).toEqual({ seed: 1 });
+  expect(seed(removed(round, new Set([2])))).toEqual({ seed: 1 });
+  expect(seed(removed(round, new Set([1, 2])))).toEqual({ seed: 1 });
+  expect(seed(removed(can(), new Set([2])))).toBeUndefined();
+  const all: Network = { ...can(), rule: "global" };
+  expect([seed(split(all, below(0))), seed(removed(all, new Set([2])))]).toEqual(["global", "global"]);
+});
+
 /** Numbers that are the same on every machine. */
 function dice(seed: number) {
   let state = seed;

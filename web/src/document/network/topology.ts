@@ -17,7 +17,7 @@ import {
   sideOf,
   sizeOf,
 } from "./network";
-import { cross, dot, neighboursOf, pointOn, unit } from "./surface";
+import { cross, dot, neighboursOf, orderOf, pointOn, unit } from "./surface";
 
 export type Objection =
   | Fault
@@ -63,11 +63,13 @@ export function removed(network: Network, patches: ReadonlySet<number>): Buildin
   return checked(left, { network: left, picked });
 }
 
-/** A rule that begins with a patch goes on beginning there, or where it is gone, everywhere at once. */
-function seeded({ rule = "global" }: Network, gone: ReadonlySet<number>): Pick<Network, "rule"> {
-  if (rule === "global") return {};
-  if (gone.has(rule.seed)) return { rule: "global" };
-  return { rule: { seed: rule.seed - [...gone].filter((patch) => patch < rule.seed).length } };
+/** A rule that begins with a patch goes on beginning there, or where it is gone, with the next that would have had its turn. */
+function seeded(network: Network, gone: ReadonlySet<number>): Pick<Network, "rule"> {
+  const order = orderOf(network);
+  if (!order) return {};
+  const kept = [...order.keys()].filter((patch) => !gone.has(patch));
+  const first = kept.reduce((one, other) => ((order[other] ?? 0) < (order[one] ?? 0) ? other : one));
+  return { rule: { seed: kept.indexOf(first) } };
 }
 
 /** A patch on each free edge whose middle is picked; those that meet share a side. The new edges are picked. */
@@ -307,10 +309,13 @@ function divide(network: Network, edges: readonly Edge[]): Building {
     ];
   });
   for (const edge of crossed.values()) if (edge.sides[0]) next.add(edge.sides[0].vertices[1]);
-  return {
-    network: { ...network, vertices, patches, ...(network.rule && { rule: "global" }) },
-    picked: next,
-  };
+  return { network: { ...network, vertices, patches, ...seedDivided(network, ways) }, picked: next };
+}
+
+/** A rule that begins with a patch begins with the first half of it. */
+function seedDivided({ rule }: Network, ways: ReadonlyMap<number, unknown>): Pick<Network, "rule"> {
+  if (rule === undefined || rule === "global") return {};
+  return { rule: { seed: rule.seed + [...ways.keys()].filter((patch) => patch < rule.seed).length } };
 }
 
 function placeOn(side: number, share: number): readonly [number, number] {
