@@ -21,8 +21,8 @@ end and of the library as it is published, and the browser tests.
            OpenCASCADE, PrusaSlicer, resvg and the glTF validator. They are installed when first needed
   --package
            instead of all that, pack the crate `pasu`, run its tests in an empty folder, and compare its interface
-           with that of the last tag. With CI set, where the same tests of the mathematics ran before, these are
-           compiled alone";
+           with that of the last tag. With CI set, where the same tests ran just before, all of them are checked
+           by the compiler, and the unit tests alone run";
 
 pub(crate) fn main(arguments: &[String]) -> Result<()> {
     let fast = match arguments {
