@@ -380,3 +380,11 @@ test("in print there is a still picture", async () => {
   await guest.page.pdf();
   expect(await guest.page.evaluate(() => (globalThis as unknown as { seen: number[] }).seen)).toEqual([600, 0]);
 });
+  // A switch of the page's own, of which no medium and no attribute tells.
+  for (const reducedMotion of ["reduce", "no-preference"] as const) {
+    await guest.page.emulateMedia({ colorScheme: "light", reducedMotion });
+    await guest.page.evaluate(() => document.documentElement.style.setProperty("color-scheme", "dark"));
+    await expect.poll(corner).toBeLessThan(100);
+    await guest.page.evaluate(() => document.documentElement.style.setProperty("color-scheme", "light"));
+    await expect.poll(corner).toBeGreaterThan(150);
+  }

@@ -479,7 +479,7 @@ export class PasuPotElement extends LitElement implements Contract {
     const { mode } = this.holder;
     const label = this.alt || this.shown?.design.title || pot.aPot;
     return html`
-      <span class="probe" aria-hidden="true"></span>
+      <span class="probe" aria-hidden="true" @transitionrun=${() => this.holder.stage?.theme(this.scheme())}></span>
       <div class="frame">
       <div class="view" part="view">
         <div
