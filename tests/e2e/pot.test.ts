@@ -244,6 +244,80 @@ test("without src there is no pot, and there is one again with the next", async 
   }
 });
 
+test("one that is taken out of the page and put back shows what it was to show last, and without a source nothing", async () => {
+  const guest = await here.open(page('<pasu-pot src="#1/second-order"></pasu-pot>'));
+  const there = guest.page;
+  await loaded(guest);
+  /** Takes it out once it has begun with what is set, and puts it back after it has given everything up. */
+  const awayAfter = (src: string) =>
+    there.evaluate(async (next) => {
+      const pot = document.querySelector("pasu-pot") as Pot & { updateComplete: Promise<unknown> };
+      const place = pot.parentElement;
+      if (next === "") pot.removeAttribute("src");
+      else pot.setAttribute("src", next);
+      await pot.updateComplete;
+      pot.remove();
+      await new Promise((resolve) => setTimeout(resolve));
+      place?.append(pot);
+    }, src);
+  const heard = await listen(there, "load", "error");
+  await awayAfter("#1/second-order?height=5");
+  await expect
+    .poll(async () => (await heard()).map(({ detail }) => detail))
+    .toMatchObject([{ link: "#1/second-order?height=5" }]);
+  await awayAfter("");
+  // Nothing is asked of a solver, and so not that of the page's own address.
+  await expect.poll(() => counted(guest)).toMatchObject({ contexts: 1 });
+  expect(await counted(guest)).toMatchObject({ workers: 0 });
+  expect(await there.getByText("could not be shown").count()).toBe(0);
+});
+
+test("a design that is taken away leaves what src says, or no pot", async () => {
+  const guest = await here.open(page("<pasu-pot></pasu-pot>"));
+  const there = guest.page;
+  const heard = await listen(there, "load", "error");
+  const give = (design: unknown) =>
+    there.evaluate((next) => {
+      (document.querySelector("pasu-pot") as Pot).design = next as Pot["design"];
+    }, design);
+  const vase = { pasu: 1, parts: [{ shape: { kind: "second-order", r: [1, 0.1, 0.6, 0.06], height: 4 } }] };
+  await give(vase);
+  await loaded(guest);
+  await give(null);
+  expect(await linkOf(there)).toBe(null);
+  await there.evaluate(() => document.querySelector("pasu-pot")?.setAttribute("src", "#1/second-order?height=5"));
+  await expect.poll(() => linkOf(there)).toBe("#1/second-order?height=5");
+  await give(vase);
+  await expect.poll(() => linkOf(there)).toBe("#1/second-order?height=4");
+  await give(null);
+  await expect.poll(() => linkOf(there)).toBe("#1/second-order?height=5");
+  expect((await heard()).filter(({ type }) => type === "error")).toEqual([]);
+});
+
+test("a source that comes while a hand holds a slider is loaded, and not what the hand has made", async () => {
+  const pot = '<pasu-pot src="#1/second-order" controls="height" alt="A vase"></pasu-pot>';
+  const guest = await here.open(page(pot, "pasu-pot { width: 600px; height: 500px }"));
+  const { mouse } = guest.page;
+  const slider = guest.page.getByRole("slider").first();
+  await slider.waitFor();
+  await loaded(guest);
+  const heard = await listen(guest.page, "change", "load", "error");
+  const box = await slider.boundingBox();
+  if (!box) throw new Error("the slider cannot be seen");
+  await mouse.move(box.x + 0.3 * box.width, box.y + box.height / 2);
+  await mouse.down();
+  await mouse.move(box.x + 0.7 * box.width, box.y + box.height / 2, { steps: 4 });
+  await guest.page.evaluate(() => document.querySelector("pasu-pot")?.setAttribute("src", "#1/second-order?height=5"));
+  await expect.poll(() => linkOf(guest.page)).toBe("#1/second-order?height=5");
+  await expect.poll(async () => (await heard()).map(({ type }) => type)).toEqual(["load"]);
+  await mouse.up();
+  const field = guest.page.getByRole("spinbutton");
+  await field.fill("6");
+  await field.blur();
+  await expect.poll(async () => (await heard()).map(({ type }) => type)).toEqual(["load", "change"]);
+  expect(await linkOf(guest.page)).toBe("#1/second-order?height=6");
+});
+
 test("the wheel scrolls the page, and zooms with the control key or once the pot has the focus", async () => {
   const style = "body { height: 3000px } pasu-pot { width: 500px; height: 400px }";
   const guest = await here.open(page('<pasu-pot src="#1/second-order"></pasu-pot>', style));
@@ -364,6 +438,14 @@ test("the theme is the page's, unless the element says otherwise", async () => {
   await guest.page.evaluate(() => document.documentElement.style.setProperty("color-scheme", "light dark"));
   await guest.page.emulateMedia({ colorScheme: "light" });
   await expect.poll(corner).toBeGreaterThan(150);
+  // A switch of the page's own, of which no medium and no attribute tells.
+  for (const reducedMotion of ["reduce", "no-preference"] as const) {
+    await guest.page.emulateMedia({ colorScheme: "light", reducedMotion });
+    await guest.page.evaluate(() => document.documentElement.style.setProperty("color-scheme", "dark"));
+    await expect.poll(corner).toBeLessThan(100);
+    await guest.page.evaluate(() => document.documentElement.style.setProperty("color-scheme", "light"));
+    await expect.poll(corner).toBeGreaterThan(150);
+  }
 });
 
 test("in print there is a still picture", async () => {
@@ -380,11 +462,3 @@ test("in print there is a still picture", async () => {
   await guest.page.pdf();
   expect(await guest.page.evaluate(() => (globalThis as unknown as { seen: number[] }).seen)).toEqual([600, 0]);
 });
-  // A switch of the page's own, of which no medium and no attribute tells.
-  for (const reducedMotion of ["reduce", "no-preference"] as const) {
-    await guest.page.emulateMedia({ colorScheme: "light", reducedMotion });
-    await guest.page.evaluate(() => document.documentElement.style.setProperty("color-scheme", "dark"));
-    await expect.poll(corner).toBeLessThan(100);
-    await guest.page.evaluate(() => document.documentElement.style.setProperty("color-scheme", "light"));
-    await expect.poll(corner).toBeGreaterThan(150);
-  }

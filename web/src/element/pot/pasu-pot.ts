@@ -89,6 +89,8 @@ export class PasuPotElement extends LitElement implements Contract {
   private leave: readonly (() => void)[] = [];
   /** What is being fetched or read: what comes of anything older is not wanted any more. */
   private wanted = new AbortController();
+  /** Of what was asked for and is not there yet. */
+  private reading: AbortSignal | null = null;
   /** What is to be shown once the element is near the screen: the design that was set, or what `src` says. */
   private given: Design | null = null;
   private pending = false;
@@ -115,9 +117,11 @@ export class PasuPotElement extends LitElement implements Contract {
     return this.shown ? copy(this.shown.design) : null;
   }
 
+  /** Null gives it up: then there is what `src` says, or no pot. */
   set design(design: Sent | null) {
-    this.given = design;
-    this.renew();
+    this.given = design ?? null;
+    if (this.given || this.src !== "") this.renew();
+    else this.unload();
   }
 
   /** The link of the design that is shown, with its `#`. */
@@ -166,16 +170,17 @@ export class PasuPotElement extends LitElement implements Contract {
     });
   }
 
-  /** Gives everything up; what was shown is shown again when the element comes back. */
+  /** Gives everything up; what was shown, or was to be, is shown when the element comes back. */
   private end(): void {
+    const isUnderway = this.reading?.aborted === false;
     this.wanted.abort();
     this.share?.leave();
     this.share = null;
     this.solved = null;
     this.isLoaded = false;
     this.held = null;
-    if (this.shown && !this.pending) this.given = this.shown.design;
-    this.pending = true;
+    if (this.shown && !this.pending && !isUnderway) this.given = this.shown.design;
+    this.pending = this.given !== null || this.src !== "";
   }
 
   /** Nothing is fetched before the element is near the screen. */
@@ -210,6 +215,7 @@ export class PasuPotElement extends LitElement implements Contract {
 
   /** Without a source there is no pot, as with `<model-viewer>`: the poster stands in its place again. */
   private unload(): void {
+    this.pending = false;
     this.wanted.abort();
     this.shown = null;
     this.solved = null;
@@ -250,12 +256,15 @@ export class PasuPotElement extends LitElement implements Contract {
     this.wanted.abort();
     this.wanted = new AbortController();
     const { signal } = this.wanted;
+    this.reading = signal;
     try {
       const parsed = await this.solver.parse(await this.text(signal));
       if (signal.aborted || parsed.state === "superseded") return;
       if (parsed.state === "refused") throw parsed.refusal;
       const { design, link } = parsed.value;
       if (await this.solve({ design, link }, FINENESS, signal)) {
+        // What a hand still holds is another pot, and not changed by it.
+        this.held = null;
         this.origin = design;
         this.aimed = "";
         this.display();
@@ -263,6 +272,7 @@ export class PasuPotElement extends LitElement implements Contract {
     } catch (error) {
       if (!signal.aborted) this.refuse(error);
     }
+    if (this.reading === signal) this.reading = null;
   }
 
   /** What the solver has to read. */

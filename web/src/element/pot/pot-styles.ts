@@ -48,7 +48,7 @@ export const potStyles = css`
       --touch: 44px;
     }
   }
-  /* Tells the script which colours hold here. */
+  /* Tells the script which colours hold here; the transition, which is over as it begins, that a page has chosen others. */
   .probe {
     position: absolute;
     visibility: hidden;
