@@ -277,6 +277,9 @@ test("a place is typed digit by digit through the mirror, and what stands in it 
   await page.keyboard.press("Tab");
   expect(await x.inputValue()).toBe("0");
   await pot.shows(plain);
+  // Nor is there a step to undo: what was undone before can still be redone.
+  await pot.redo();
+  await pot.fingerprintOtherThan(plain);
 });
 
 test("the middle of what goes round an axis is on it, whatever rounding leaves", async () => {

@@ -3,7 +3,7 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
-import { middleOf, moved, shiftBy } from "../../document/network/moving";
+import { middleOf, moved, shiftBy, unlessStill } from "../../document/network/moving";
 import { type Network, sizeOf } from "../../document/network/network";
 import type { Triple } from "../../document/types";
 import { UnhurriedElement } from "../../element/unhurried";
@@ -69,7 +69,9 @@ export class PasuNetworkPlace extends UnhurriedElement {
     const next = moved(from, vertices, shiftBy(way), desk.settings.mirror);
     if (next === from && by !== 0) designer.notices.say(words.objections.collapsed);
     else if (by !== 0 && middleOf(next, vertices)[axis] === before) designer.notices.say(words.inMirror);
-    designer.apply(changeNetwork(designer.state, () => next, gesture ? `place ${axis}` : undefined));
+    designer.apply(
+      changeNetwork(designer.state, () => unlessStill(next, network), gesture ? `place ${axis}` : undefined),
+    );
   }
 
   static override readonly styles = [

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { NETWORKED } from "../gallery/networks";
 import { frozen } from "../path";
-import { imagesOf, middleOf, moved, onGrid, scaleBy, shiftBy, shiftOnto, turnBy } from "./moving";
+import { imagesOf, middleOf, moved, onGrid, scaleBy, shiftBy, shiftOnto, turnBy, unlessStill } from "./moving";
 import { type Network, patchesRound } from "./network";
 import { crestOf, forceFor, heightOf, laidAt, pointAt, regionBetween, rimOf, unfolded } from "./sculpting";
 import { pointOn } from "./surface";
@@ -63,6 +63,16 @@ test("the image in a mirror follows, and what is in it stays there", () => {
   ]);
   const held = moved(leaf, new Set([1]), shiftBy([1, 2, 3]), "x");
   expect(held.vertices[1]).toEqual([0, -5, 6]);
+});
+
+test("a motion after which every point is where it was is none", () => {
+  const still = moved(leaf, new Set([1]), shiftBy([3, 0, 0]), "x");
+  expect(still).not.toBe(leaf);
+  expect(unlessStill(still, leaf)).toBe(leaf);
+  const up = moved(leaf, new Set([1]), shiftBy([3, 0, 1]), "x");
+  expect(unlessStill(up, leaf)).toBe(up);
+  // Back where it began it has moved from where it was last.
+  expect(unlessStill(still, up)).toBe(still);
 });
 
 test("points go to a grid along the ways that they move", () => {

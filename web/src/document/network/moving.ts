@@ -128,6 +128,17 @@ export function moved(
     : network;
 }
 
+/** What comes of a motion, or the network before it where every point stays in its place: that is no step to undo. */
+export function unlessStill(next: Network, before: Network): Network {
+  const isStill =
+    next.patches === before.patches &&
+    next.vertices.every((point, index) => {
+      const old = before.vertices[index];
+      return point === old || point.every((value, axis) => value === old?.[axis]);
+    });
+  return isStill ? before : next;
+}
+
 function freeze(vertices: readonly Triple[], vertex: number | undefined): void {
   const point = vertex === undefined ? undefined : vertices[vertex];
   if (point) Object.freeze(point);

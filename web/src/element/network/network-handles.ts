@@ -12,6 +12,7 @@ import {
   moved,
   scaleBy,
   turnBy,
+  unlessStill,
 } from "../../document/network/moving";
 import { type Network, sizeOf } from "../../document/network/network";
 import { forceFor, heightOf, laidAt, pointsAt, regionBetween, rimOf, unfolded } from "../../document/network/sculpting";
@@ -543,7 +544,7 @@ export class PasuNetworkHandles extends DesignerElement {
     const { mirror } = this.desk.settings;
     this.edit((before) => {
       const next = moved(from, picks.vertices, motion, mirror);
-      return next === from && before !== from ? before : next;
+      return next === from && before !== from ? before : unlessStill(next, before);
     }, key);
   }
 
