@@ -114,6 +114,27 @@ test("the inside hangs over too, and is told by its own place however thick the 
   ]);
 });
 
+test("no place of another part is named by the outline of the first, and none of what has no outline", () => {
+  const over = (degrees: number): Partial<PartMeasures> => ({
+    overhang: { degrees, error: 0, at: SHOULDER, face: "outer" },
+    overhangInside: { degrees: degrees - 5, error: 0, at: SHOULDER, face: "lining" },
+  });
+  const bare = (text: string) => text.replaceAll(/[\u2068\u2069]/g, "");
+  const scene = measures({}, { part: 0, name: "Jar", ...over(60) }, { part: 1, name: "Lid", ...over(70) });
+  expect(texts(scene).map(bare)).toEqual([
+    "warning: Jar: Overhang of 60 degrees at the shoulder: a printer needs support there.",
+    "warning: Jar: Overhang of 55 degrees inside the shoulder: a printer needs support there.",
+    "warning: Lid: Overhang of 70 degrees in places: a printer needs support there.",
+  ]);
+  expect(texts(measures({}, { part: 0 }, { part: 1, name: "Lid", ...over(30) })).map(bare)).toEqual([
+    "good: Lid: The steepest overhang is 30 degrees: it prints without support.",
+  ]);
+  const network = verdict(measures({}, over(90)), null, [], "cm");
+  expect(network.map(({ text }) => text.replaceAll("\u00a0", " "))).toEqual([
+    "Overhang of 90 degrees in places: a printer needs support there.",
+  ]);
+});
+
 /** A wall that is thin at the rim, and thinner than asked for in such a share of it. */
 const thin = (thinned: number) => ({
   asked: 0.3,

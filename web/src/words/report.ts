@@ -69,7 +69,7 @@ export function madeOf(
 ): readonly Sentence[] {
   return [
     ...checked(report, measures, outline, unit, millimetres),
-    ...inParts(measures, (part) => thinWords(part, outline, millimetres)),
+    ...inParts(measures, (part) => thinWords(part, ofItsOwn(outline, part.part), millimetres)),
   ].sort(worstFirst);
 }
 
@@ -105,7 +105,7 @@ export function checked(
       // What is said of all parts of an object is not said of one.
       const isOfAll = finding.path === "union" && finding.args.other === undefined;
       const of = (text: string) => (isOfAll ? text : named(measures, part, text));
-      const thinned = thinnedWords(finding, report, outline, length);
+      const thinned = thinnedWords(finding, report, ofItsOwn(outline, part), length);
       if (thinned) return { severity, text: of(thinned.text), brief: of(thinned.brief) };
       return { severity, text: of(fittedWords(finding, unit) ?? findingWords(finding, outline, unit, measures)) };
     });
@@ -121,7 +121,7 @@ export function findingWords(finding: Finding, outline: Outline, unit: Unit, mea
   const { code, message, args, at } = finding;
   const own = OWN[code]?.(finding, unit, measures) ?? null;
   const sentence = own ?? whyWords({ code, path: finding.path ?? "", message, args }, unit);
-  if (!at || outline.length < 2 || code === CEILING) return sentence;
+  if (!at || !namesPlaces(ofItsOwn(outline, finding.part)) || code === CEILING) return sentence;
   const place = whereWords(at, outline);
   return sentence.includes(place) ? sentence : said.placed(sentence.slice(0, -1), place);
 }
@@ -180,7 +180,8 @@ function thinnedWords(
 
 function measured(measures: Measures, outline: Outline, unit: Unit, findings: readonly Finding[]): readonly Sentence[] {
   const codes = (part: number) => findings.filter((finding) => finding.part === part).map(({ code }) => code);
-  return [...inParts(measures, (part) => ofPart(part, outline, unit, codes(part.part))), ...stands(measures)];
+  const each = (part: PartMeasures) => ofPart(part, ofItsOwn(outline, part.part), unit, codes(part.part));
+  return [...inParts(measures, each), ...stands(measures)];
 }
 
 /** What is said of each part, with its name where there are several. */
@@ -197,8 +198,18 @@ function named(measures: Measures | null, number: number | null, text: string): 
   return said.ofPart(isolated(partName(part.part, part.name)), text);
 }
 
+/** The outline is that of the first part: by it no place of another has a name. */
+function ofItsOwn(outline: Outline, part: number | null): Outline {
+  return part === null || part === 0 ? outline : [];
+}
+
+/** What has no foot and no rim has no shoulder between them. */
+function namesPlaces(outline: Outline): boolean {
+  return outline.length > 1;
+}
+
 function whereWords(at: Triple | null, outline: Outline): string {
-  return at ? said.places[placeOf(at, outline)] : said.inPlaces;
+  return at && namesPlaces(outline) ? said.places[placeOf(at, outline)] : said.inPlaces;
 }
 
 /** A wall that is too thin to be made where a model unit is so many millimetres. */
@@ -241,17 +252,24 @@ function overhangs(
   outline: Outline,
   hasCeiling: boolean,
 ): readonly Sentence[] {
+  const isNamed = namesPlaces(outline);
   const sides = [
     ...(overhang ? [{ degrees: overhang.degrees, place: whereWords(overhang.at, outline) }] : []),
     ...(overhangInside
-      ? [{ degrees: overhangInside.degrees, place: said.inside[hangingInside(overhangInside.at, outline)] }]
+      ? [
+          {
+            degrees: overhangInside.degrees,
+            place: isNamed ? said.inside[hangingInside(overhangInside.at, outline)] : said.inPlaces,
+          },
+        ]
       : []),
   ].sort((a, b) => b.degrees - a.degrees);
   const [steepest] = sides;
   if (!steepest) return [];
   const hanging = sides.filter(({ degrees }) => degrees > SUPPORT_DEGREES);
   if (hanging.length > 0) {
-    return hanging.map(({ degrees, place }) => ({
+    // Of two places without a name the one that hangs over further says it all.
+    return (isNamed ? hanging : [steepest]).map(({ degrees, place }) => ({
       severity: "warning",
       text: said.overhang(degreesWords(degrees), place),
       support: true,
@@ -260,7 +278,8 @@ function overhangs(
   const [nowhere, somewhere] = hasCeiling
     ? [said.noOverhangOfWall, said.steepestOfWall]
     : [said.noOverhang, said.steepest];
-  const text = steepest.degrees > 1 ? somewhere(degreesWords(steepest.degrees), steepest.place) : nowhere;
+  const place = isNamed ? steepest.place : null;
+  const text = steepest.degrees > 1 ? somewhere(degreesWords(steepest.degrees), place) : nowhere;
   return [{ severity: "good", text }];
 }
 

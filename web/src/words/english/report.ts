@@ -28,10 +28,16 @@ export const report = phrases("report", {
   tooThin: (thin: string, place: string) =>
     `The wall is only ${thin} thick ${place}: too thin for most clay and most printers at this size.`,
   overhang: (angle: string, place: string) => `Overhang of ${angle} ${place}: a printer needs support there.`,
-  steepest: (angle: string, place: string) => `The steepest overhang is ${angle}, ${place}: it prints without support.`,
+  /** `place` is null where it has no name. */
+  steepest: (angle: string, place: string | null) =>
+    place === null
+      ? `The steepest overhang is ${angle}: it prints without support.`
+      : `The steepest overhang is ${angle}, ${place}: it prints without support.`,
   /** Of a pot that has a ceiling beneath it, of which another sentence speaks. */
-  steepestOfWall: (angle: string, place: string) =>
-    `The steepest overhang of the wall is ${angle}, ${place}: it prints without support.`,
+  steepestOfWall: (angle: string, place: string | null) =>
+    place === null
+      ? `The steepest overhang of the wall is ${angle}: it prints without support.`
+      : `The steepest overhang of the wall is ${angle}, ${place}: it prints without support.`,
   noOverhangOfWall: "The wall hangs over nowhere: it prints without support.",
   noOverhang: "Nothing hangs over: it prints without support.",
   falls: "It falls over: its weight is not above its foot.",
