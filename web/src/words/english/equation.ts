@@ -27,7 +27,7 @@ export type Help = keyof typeof HELPS;
 export const equation = phrases("equation", {
   lead: "This pot is the exact solution of an equation, and every number in it is one of the pot. Point at a number to see where it is on the pot and what it does.",
   network:
-    "A network of patches has no closed form between two edges: each patch solves a1 X_uu + a2 X_vv = 0 as nearly as its eight points leave it free to be, and what pushes it is added.",
+    "A network of patches has no closed form between two edges: each patch solves a₁ Xᵤᵤ + a₂ Xᵥᵥ = 0 as nearly as its eight points leave it free to be, and what pushes it is added.",
   octant: "An octant solves no differential equation: it is all points with x^a + y^b + z^c of 1 or less.",
   blend:
     "A blend is a solid: between its two sections x, y and z solve a x_uuuu + b x_vvvv + c x_wwww = 0, with positions and tangents given at both.",
