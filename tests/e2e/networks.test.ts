@@ -1110,13 +1110,19 @@ test("that a large file is being opened is said and shown, and can be stopped", 
     const parse = solver.parse.bind(solver);
     solver.parse = async (text) => {
       await new Promise<void>((go) => Object.assign(globalThis, { pasuGo: go }));
-      return await parse(text);
+      const parsed = parse(text);
+      Object.assign(globalThis, { pasuParsed: parsed });
+      return await parsed;
     };
   });
   const large = JSON.stringify(sheet(40, 50));
   const said = pot.page.locator("pasu-opening-note [role=status]");
   for (const stop of ["key", "button"]) {
-    await pot.dropFile("sheet.json", large);
+    // Of two that are dropped together the second is not wanted either, and none is said to be open.
+    await pot.dropFiles([
+      ["sheet.json", large],
+      ["leaf.json", LEAF],
+    ]);
     await pot.button("Stop").waitFor();
     await expect.poll(async () => await said.textContent()).toMatch(/^Opening .*sheet\.json.* \(0\.\d+ MB\)…$/);
     expect(await findings(pot)).toEqual([]);
@@ -1124,8 +1130,15 @@ test("that a large file is being opened is said and shown, and can be stopped", 
     else await pot.button("Stop").click();
     await pot.button("Stop").waitFor({ state: "detached" });
     expect(await said.textContent()).toBe("");
-    await pot.page.evaluate(() => (globalThis as unknown as { pasuGo(): void }).pasuGo());
+    await pot.page.evaluate(async () => {
+      const held = globalThis as unknown as { pasuGo(): void; pasuParsed: Promise<unknown> };
+      held.pasuGo();
+      await new Promise(requestAnimationFrame);
+      await held.pasuParsed;
+      for (let i = 0; i < 2; i += 1) await new Promise(requestAnimationFrame);
+    });
     await pot.shows(first);
+    expect(await pot.page.getByText(/^Opened/).count()).toBe(0);
   }
   await pot.dropFile("sheet.json", large);
   await pot.button("Stop").waitFor();

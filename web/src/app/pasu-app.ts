@@ -424,7 +424,8 @@ export class PasuApp extends DesignerElement {
     const refused: File[] = [];
     const scans: File[] = [];
     for (const file of files) {
-      await opening.openFile(file);
+      // Who stops one wants none of the others.
+      if (!(await opening.openFile(file))) return;
       if (opening.problem === null) break;
       refused.push(file);
       // Triangles without a design may be a scan of a pot.

@@ -162,18 +162,18 @@ export class Opening {
     await this.#openText(text, false);
   }
 
-  /** Opens a document, or anything that Pasu made and that holds its link. */
-  async openFile(file: File): Promise<void> {
-    const { underway } = this.#take(file);
+  /** Opens a document, or anything that Pasu made and that holds its link; false where that was stopped, or another file was given. */
+  async openFile(file: File): Promise<boolean> {
+    const { underway, stopped } = this.#take(file);
     const found = await import("./open-file").then(
       ({ readFile }) => readFile(file, this.#maker),
       () => null,
     );
-    // It was stopped, or another one was given.
-    if (this.#underway.peek() !== underway) return;
+    if (stopped.aborted) return false;
     if (found && "text" in found) await this.#openText(found.text, false, found.made, underway);
     else if (found) this.#problem.value = found.refusal;
     if (this.#underway.peek() === underway) this.#underway.value = null;
+    return found !== null && !stopped.aborted;
   }
 
   /** Opens the design that something else reads of a file, unless that finds none; whether it did. It is told when it is stopped, or another file is given. */
