@@ -53,7 +53,7 @@ test("a saved file opens as the same pot, dropped or chosen", async () => {
 });
 
 test.each([
-  ["no design", "holiday.json", '{ "beach": true }', /pasu/],
+  ["no design", "holiday.json", '{ "beach": true }', /holiday\.json” cannot be opened: it holds no design/],
   ["no JSON", "notes.json", "milk, eggs", /milk/],
   [
     "a design with a fault",

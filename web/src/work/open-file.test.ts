@@ -53,6 +53,15 @@ test("nothing is opened where the maker cannot be fetched, or was asked for some
   expect(await reading).toBeNull();
 });
 
+test.each([
+  ["model.gltf", '{"asset":{"version":"2.0"}}'],
+  ["holiday.json", '\ufeff\n{ "beach": true }'],
+])("JSON of another program, as %s, is told to be no design", async (name, text) => {
+  const found = await readFile(new File([text], name), none);
+  if (found === null || !("refusal" in found)) throw new Error("opened");
+  expect(refusalWords(found.refusal)).toContain(`“${name}” cannot be opened: it holds no design`);
+});
+
 test("a document does not say how it is to be made", async () => {
   const file = new File(['{"pasu": 1}'], "vase.json");
   expect(await readFile(file, none)).toEqual({ text: '{"pasu": 1}', made: null });

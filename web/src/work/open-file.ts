@@ -9,6 +9,8 @@ const MAX_TEXT_BYTES = 32 * 1024 * 1024;
 /** Things that were made are larger: a million triangles are 50 MB. */
 const MAX_MADE_BYTES = 512 * 1024 * 1024;
 
+const OBJECT = /^\ufeff?\s*\{/;
+
 /** How much of a file tells a document from anything else. */
 const BEGINNING = 64;
 
@@ -21,7 +23,11 @@ export async function readFile(file: File, maker: () => Promise<Pick<MakerClient
   if (file.size > (document ? MAX_TEXT_BYTES : MAX_MADE_BYTES)) {
     return refused("file-too-large", file.name);
   }
-  if (document) return { text: await file.text(), made: null };
+  if (document) {
+    const text = await file.text();
+    // JSON of another program has not one field too few: it is no design.
+    return OBJECT.test(text) && !text.includes('"pasu"') ? refused("no-design", file.name) : { text, made: null };
+  }
   const reader = await maker();
   if (!reader) return null;
   const bytes = new Uint8Array(await file.arrayBuffer());
