@@ -157,6 +157,10 @@ test("lengths have their unit, and those of what is made millimetres", () => {
   );
 });
 
+test("patches with a free edge are told what makes a body of them", () => {
+  expect(findingWords(finding("open-surface", { what: "free-edge" }), [], "cm")).toContain("a thickness, under Wall");
+});
+
 test("what fine triangles alone run into says so", () => {
   const said = findingWords(finding("crosses-itself", { what: "surface", bound: 0.01 }), [], "cm");
   expect(said.replaceAll("\u00a0", " ")).toBe(

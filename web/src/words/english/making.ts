@@ -27,7 +27,8 @@ export const making = phrases("making", {
   openSurface: {
     noFoot: "The shape has no foot and no rim, so there is nothing for a wall to stand on.",
     notClosed: "The surface does not meet itself after one turn. It does with whole numbers of waves.",
-    freeEdge: "A patch has a free edge, so that nothing is enclosed. Patches that close are a solid as they are.",
+    freeEdge:
+      "A patch has a free edge, so that nothing is enclosed. With a thickness, under Wall, patches are a body; those that close are a solid as they are.",
     oneSided: "The surface has one side only, so that it has no inside.",
   },
   /** Of what has no foot and no rim. */
