@@ -67,6 +67,13 @@ test("both snippets say the pot on the stage, and the preview shows it with the 
   expect(await inFrame.evaluate(() => document.querySelector("pasu-pot")?.link)).toBe("#1/bloor-wilson?n1=5");
   // They come after the pot.
   await expect.poll(() => inFrame.getByRole("slider").count()).toBe(2);
+  // Without the link it says why it is empty, and shows the next pot all the same.
+  await inFrame.goto(address.href.replace(/#.*/, ""));
+  await inFrame.getByText("No pot is shown: the address of this frame ends without the link of one.").waitFor();
+  await inFrame.evaluate(() => {
+    location.hash = "#1/second-order?height=5";
+  });
+  await inFrame.waitForFunction(() => document.querySelector("pasu-pot")?.link === "#1/second-order?height=5");
   await inFrame.close();
 
   await inside.getByRole("button", { name: "Copy: For a page that may have scripts" }).click();

@@ -423,7 +423,7 @@ test("patches are compared over the same edges, and what cannot be says so", asy
   await dialogue.locator(".stage").focus();
   await pot.page.keyboard.press("ArrowLeft");
   await pot.type("Height of the force", "-5");
-  await pot.type("a1, across", "3");
+  await pot.type("a₁, across", "3");
   expect(await dialogue.getByRole("alert").count()).toBe(0);
   const tooWide = dialogue.getByText("expected a region of the patch, up to 1");
   await pot.type("Width of its region", "1.5");
@@ -433,7 +433,7 @@ test("patches are compared over the same edges, and what cannot be says so", asy
     dialogue.evaluate((element) => JSON.stringify((element as unknown as { shown: { design: object } }).shown.design));
   const before = await shown();
   const fields = await Promise.all(
-    ["a1, across", "Width of its region"].map((name) => pot.field(name).elementHandle()),
+    ["a₁, across", "Width of its region"].map((name) => pot.field(name).elementHandle()),
   );
   await pot.page.evaluate((both) => {
     for (const [at, text] of ["4", "1.6"].entries()) {
@@ -446,7 +446,7 @@ test("patches are compared over the same edges, and what cannot be says so", asy
   expect(await tooWide.count()).toBe(1);
   await pot.type("Width of its region", "0.8");
   await expect.poll(() => dialogue.getByRole("alert").count()).toBe(0);
-  await pot.type("a2, along", "0");
+  await pot.type("a₂, along", "0");
   // A strip needs it: the solver's own words.
   await dialogue.getByText("This cannot be shown").waitFor();
   await pot.page.keyboard.press("Escape");

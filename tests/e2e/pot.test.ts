@@ -131,6 +131,28 @@ test("what cannot be shown is told by its code, path and message, and the pot th
   expect(await guest.page.getByText("could not be shown").count()).toBe(0);
 });
 
+test("a value that a slider cannot have leaves the design as it was, also for whoever asks for it", async () => {
+  const guest = await here.open(page('<pasu-pot src="#1/second-order?height=5" controls="height"></pasu-pot>'));
+  await loaded(guest);
+  const heard = await listen(guest.page, "input", "change", "error");
+  const field = guest.page.getByRole("spinbutton");
+  await field.fill("1e300");
+  await field.blur();
+  await expect.poll(async () => (await heard()).at(-1)?.type).toBe("error");
+  await guest.page.getByText("This pot could not be shown. The pot stays as it was.").waitFor();
+  const heightOf = () =>
+    guest.page.evaluate(() => {
+      const shape = document.querySelector("pasu-pot")?.design?.parts[0]?.shape;
+      return shape && "height" in shape ? shape.height : undefined;
+    });
+  expect([await heightOf(), await linkOf(guest.page)]).toEqual([5, "#1/second-order?height=5"]);
+  expect((await heard()).map(({ type }) => type)).not.toContain("change");
+  await field.fill("6");
+  await field.blur();
+  await expect.poll(async () => (await heard()).at(-1)?.type).toBe("change");
+  expect([await heightOf(), await linkOf(guest.page)]).toEqual([6, "#1/second-order?height=6"]);
+});
+
 test("the camera begins where the page says, and what cannot be read is told", async () => {
   const guest = await here.open(page('<pasu-pot src="#1/second-order" camera-orbit="90deg 80deg 150%"></pasu-pot>'));
   await loaded(guest);

@@ -464,7 +464,9 @@ export class PasuPotElement extends LitElement implements Contract {
       this.display();
       this.dispatchEvent(new CustomEvent("change", { bubbles: true, detail: changeOf(parsed.value) }));
     } catch (error) {
-      if (!signal.aborted) this.refuse(error);
+      if (signal.aborted) return;
+      await this.putBack(held);
+      if (this.shown === held) this.refuse(error);
     }
   }
 

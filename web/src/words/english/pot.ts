@@ -12,6 +12,8 @@ export const pot = phrases("pot", {
   /** Where a design could not be shown: short, because the reader did not write it. */
   unshown: "This pot could not be shown.",
   unchanged: "This pot could not be shown. The pot stays as it was.",
+  /** Of a frame by itself. */
+  noLink: "No pot is shown: the address of this frame ends without the link of one.",
 
   /** Why there is no design, for whoever put the element into the page. */
   stopped: "the solver stopped, or could not be started",
