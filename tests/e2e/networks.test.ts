@@ -252,6 +252,53 @@ test("digits on the way to a number pick nothing beside it", async () => {
   expect(await item(pot, "patch 11").getAttribute("aria-pressed")).toBe("true");
 });
 
+test("the angle below which edges look smooth and the rule of strips are numbers of the panel", async () => {
+  const { pot } = await opened();
+  const { page } = pot;
+  const shape = () =>
+    page.evaluate(() => {
+      const { designer } = document.querySelector("pasu-app") as unknown as {
+        designer: { store: { design: { parts: { shape: { crease?: number; rule?: unknown } }[] } } };
+      };
+      const { crease, rule } = designer.store.design.parts[0]?.shape ?? {};
+      return { crease, rule };
+    });
+  const { rule: before } = await shape();
+  const panel = page.locator("pasu-network-whole");
+  await panel.getByText("All patches").first().click();
+  const crease = panel.getByRole("spinbutton", { name: "Smooth up to" });
+  expect(await crease.inputValue()).toBe("28.6479");
+  const type = async (field: typeof crease, text: string) => {
+    await field.fill(text);
+    await field.press("Enter");
+  };
+  await type(crease, "90");
+  await expect.poll(async () => (await shape()).crease).toBe(1.57079632679);
+  await type(crease, "200");
+  await panel.getByText("An angle from 0° to 180°.").waitFor();
+  expect((await shape()).crease).toBe(1.57079632679);
+  await type(crease, "0");
+  await expect.poll(async () => (await shape()).crease).toBe(0);
+  await page.keyboard.press("Tab");
+  await pot.undo();
+  await pot.undo();
+  await expect.poll(() => crease.inputValue()).toBe("28.6479");
+
+  await panel.getByRole("radio", { name: "its first patch" }).check();
+  await expect.poll(async () => (await shape()).rule).toEqual({ seed: 0 });
+  const seed = panel.getByRole("spinbutton", { name: "Counted from patch" });
+  await type(seed, "2");
+  await panel.getByText("Patches have the numbers 1 to 1.").waitFor();
+  expect(await findings(pot)).toEqual([]);
+  await type(seed, "1");
+  expect(await panel.getByText("Patches have the numbers").count()).toBe(0);
+  await panel.getByRole("radio", { name: "all its patches" }).check();
+  await expect.poll(async () => (await shape()).rule).toBe("global");
+  await pot.undo();
+  await pot.undo();
+  await expect.poll(async () => (await shape()).rule).toEqual(before);
+});
+
 test("a place is typed digit by digit through the mirror, and what stands in it says that it stays", async () => {
   const { pot, plain } = await opened();
   const { page } = pot;

@@ -110,7 +110,13 @@ function keptWhileMoved(designer: Designer): ReadonlySignal<Network | null> {
   let last: Network | null = null;
   return computed(() => {
     const now = networkOf(designer);
-    const isSame = last && now && last.patches === now.patches && last.vertices.length === now.vertices.length;
+    const isSame =
+      last &&
+      now &&
+      last.patches === now.patches &&
+      last.vertices.length === now.vertices.length &&
+      last.rule === now.rule &&
+      last.crease === now.crease;
     if (!isSame) last = now;
     return last;
   });

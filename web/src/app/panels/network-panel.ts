@@ -26,12 +26,14 @@ import { formatNumber } from "../../number";
 import { intro } from "../../ui/intro";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons, disclosure, fields } from "../../ui/styles";
+import { typing } from "../../ui/typing";
 import { networks as words } from "../../words/english/networks";
 import { framedNetwork, type NetworkDesk, networkDesk, networkOf, stepOf } from "../../work/network-desk";
 import { openObj, saveObj } from "../../work/network-files";
 import { CommandEvent } from "../command";
 import "./network-patch";
 import "./network-place";
+import "./network-whole";
 
 const BUILDS = {
   extrude: (network, picks) => extruded(network, picks.vertices),
@@ -88,6 +90,7 @@ export class PasuNetworkPanel extends DesignerElement {
         </div>
       </section>
       <pasu-network-patch .designer=${this.designer}></pasu-network-patch>
+      <pasu-network-whole .designer=${this.designer}></pasu-network-whole>
       <section aria-label=${words.beside}>
         <h3>${words.beside}</h3>
         <p class="told">${words.besideAbout}</p>
@@ -235,13 +238,9 @@ export class PasuNetworkPanel extends DesignerElement {
     ></span>`;
   }
 
-  /** Before it is read: it may be the number that there is. */
-  private readonly typing = {
-    capture: true,
-    handleEvent: () => {
-      this.astray = null;
-    },
-  };
+  private readonly typing = typing(() => {
+    this.astray = null;
+  });
 
   private moving(network: Network) {
     const { desk } = this;

@@ -15,6 +15,7 @@ import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons } from "../../ui/styles";
 import { told } from "../../ui/told";
+import { typing } from "../../ui/typing";
 import { boundWords } from "../../words/bound";
 import { networks as words } from "../../words/english/networks";
 import { whyWords } from "../../words/refusals";
@@ -90,13 +91,9 @@ export class PasuPatchCard extends DesignerElement {
     ></span>`;
   }
 
-  /** Before it is read: it may be the number that there is. */
-  private readonly typing = {
-    capture: true,
-    handleEvent: () => {
-      this.astray = null;
-    },
-  };
+  private readonly typing = typing(() => {
+    this.astray = null;
+  });
 
   private get useful(): Found | null {
     const { ready } = this.seeking;

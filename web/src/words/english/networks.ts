@@ -113,6 +113,17 @@ export const networks = phrases("networks", {
   falloffs: { smooth: "smoothly", sine: "with a crease at its rim" },
   region: "Draw a region on the stage",
   noRegion: "A region is drawn from one of its corners to the other, both on the surface and few patches apart.",
+  whole: "All patches",
+  wholeHelp: "which edges look smooth, and what decides how strips bend",
+  crease: "Smooth up to",
+  creaseHelp:
+    "Where two patches meet at less than this angle, the surface is drawn as if it were smooth there. 0° shows every edge.",
+  noCrease: "An angle from 0° to 180°.",
+  rule: "How a strip bends is decided by",
+  rules: { global: "all its patches", seed: "its first patch" },
+  seed: "Counted from patch",
+  ruleHelp:
+    "A strip runs from patch to patch through opposite edges. Its first patch is the one that comes first on the way out from the patch that is counted from, as in the paper.",
   file: "Files",
   fileAbout: "As OBJ: faces of four corners, whose edges get middles, or of eight points. Forces stay with the design.",
   saveObj: "Save as OBJ",
