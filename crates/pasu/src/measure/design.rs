@@ -1,5 +1,7 @@
 //! Measuring a design, part by part.
 
+use std::sync::Arc;
+
 use super::accuracy::Accuracy;
 use super::capacity::{Capacity, Fill};
 use super::cause::Cause;
@@ -7,17 +9,19 @@ use super::curvature::{Curvature, curvature};
 use super::dry::Dry;
 use super::fill::Filling;
 use super::finite::{refuse_infinite, refuse_infinite_part};
-use super::known::once;
+use super::known::Instance;
 use super::measures::{
     Body, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
 };
 use super::moments::{Moments, area, enclosed};
+use super::moved::Moved;
 use super::outside::{Outside, Spot, columns};
 use super::quantity::Quantity;
 use super::share::Share;
 use super::standing::Standing;
 use super::taken::{ACCURACY, Naked, Taken};
-use crate::design::{Choice, Clay, Design, plain, rounded};
+use super::widths::Widths;
+use crate::design::{Choice, Clay, Design, Part, plain, rounded};
 use crate::error::{Code, Error, Result};
 use crate::face::FaceKind;
 use crate::solid::Product;
@@ -139,31 +143,39 @@ fn measures(solution: &Solution, options: &MeasureOptions) -> Result<Measures> {
     check(options)?;
     refuse_hopeless(solution, options.product)?;
     let design = solution.design();
-    let taken = watch::between(0.0, TAKING, || Taken::all(solution, options.product))?;
-    let outsides: Vec<Outside> = taken.iter().map(Taken::outside).collect();
-    let n = taken.len();
-    let one = |(index, (taken, outside)): (usize, (&Taken, &Outside))| {
-        once(solution, index, options, || {
-            let part = || watch::within(MOST_WORK, || part_measures(design, index, taken, outside, options));
+    let instances = watch::between(0.0, TAKING, || instances(solution, options.product))?;
+    let n = instances.len();
+    let one = |(index, (instance, part)): (usize, (&Instance, &Part))| {
+        let (part, share) = instance.measures(part, options, |options| {
+            let part = || watch::within(MOST_WORK, || part_measures(design, index, &instance.subject.taken, options));
             let measured = watch::share(index, n, part);
             watch::go_on()?;
             let (part, share) = measured.unwrap_or_else(|| Err(too_long(design, index)))?;
             refuse_infinite_part(&part)?;
             Ok((part, share))
-        })
+        })?;
+        let part = PartMeasures { part: index, ..part };
+        refuse_infinite_part(&part)?;
+        Ok((part, share))
     };
-    let measured = || taken.iter().zip(&outsides).enumerate().map(one).collect::<Result<Vec<_>>>();
+    let measured = || instances.iter().zip(design.parts()).enumerate().map(one).collect::<Result<Vec<_>>>();
     let (parts, shares): (Vec<_>, Vec<_>) = watch::between(TAKING, TOGETHER, measured)?.into_iter().unzip();
     if let Some(fill) = options.fill {
         refuse_overflow(&parts, fill)?;
     }
     let whole = match parts.as_slice() {
         [part] => part.body.clone(),
-        _ => whole(&taken, &parts, &shares),
+        _ => whole(&instances, &parts, &shares),
     };
     // A sum of finite numbers need not be one.
     refuse_infinite(&whole, "parts")?;
     Ok(Measures { unit: design.unit(), product: options.product, whole, parts })
+}
+
+/// Every part of a design.
+fn instances(solution: &Solution, product: Product) -> Result<Vec<Instance>> {
+    let n = solution.n_parts();
+    (0..n).map(|index| watch::share(index, n, || Instance::new(solution, index, product))).collect()
 }
 
 /// What a design is scaled by.
@@ -182,17 +194,35 @@ pub(crate) enum Gauge {
 /// # Errors
 /// As [`measure`]; `no-room` for the capacity of a design that holds nothing, with the reason.
 pub(crate) fn gauge(solution: &Solution, product: Product, gauge: Gauge) -> Result<f64> {
-    let taken = watch::between(0.0, TAKING, || Taken::all(solution, product))?;
-    let outside = || Outside::new(taken.iter().flat_map(Taken::faces), waves(&taken));
+    let instances = watch::between(0.0, TAKING, || instances(solution, product))?;
+    let moved: Vec<Vec<Moved>> = instances.iter().map(Instance::faces).collect();
     match gauge {
-        Gauge::Height => Ok(outside().height().value),
-        Gauge::Width => Ok(outside().widths().greatest.value),
+        Gauge::Height => {
+            let all = Instance::outsides(&instances, &moved);
+            let heights = all.iter().map(Outside::heights);
+            let [low, high] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [bottom, top]| {
+                [low.min(bottom), high.max(top)]
+            });
+            Ok(high - low)
+        }
+        Gauge::Width => Ok(Outside::widths_of(&Instance::outsides(&instances, &moved)).greatest.value),
         Gauge::Capacity => {
             let (mut found, mut reason) = (Vec::new(), None);
-            for (taken, part) in taken.iter().zip(solution.design().parts()) {
+            // Copies hold as much as the first of them.
+            let mut known: Vec<(&Instance, f64)> = Vec::new();
+            for (instance, part) in instances.iter().zip(solution.design().parts()) {
+                if let Some((_, brim)) = known.iter().find(|(other, _)| Arc::ptr_eq(&other.subject, &instance.subject))
+                {
+                    found.push(*brim);
+                    continue;
+                }
+                let taken = &instance.subject.taken;
                 let vessel = taken.vessel(part.wall.is_some(), product);
                 match vessel.and_then(|vessel| vessel.capacity(&taken.accuracy(), None)) {
-                    Ok((capacity, _)) => found.push(capacity.brim.value),
+                    Ok((capacity, _)) => {
+                        known.push((instance, capacity.brim.value));
+                        found.push(capacity.brim.value);
+                    }
                     Err(why) => {
                         reason.get_or_insert(why);
                     }
@@ -210,8 +240,8 @@ pub(crate) fn gauge(solution: &Solution, product: Product, gauge: Gauge) -> Resu
 }
 
 /// How many waves go round any part at most.
-fn waves(taken: &[Taken]) -> f64 {
-    taken.iter().map(Taken::waves).fold(0.0, f64::max)
+fn waves(instances: &[Instance]) -> f64 {
+    instances.iter().map(|instance| instance.subject.taken.waves()).fold(0.0, f64::max)
 }
 
 fn check(options: &MeasureOptions) -> Result<()> {
@@ -249,10 +279,10 @@ fn part_measures(
     design: &Design,
     index: usize,
     taken: &Taken,
-    outside: &Outside,
     options: &MeasureOptions,
 ) -> Result<(PartMeasures, Share)> {
     let part = &design.parts()[index];
+    let outside = &taken.outside();
     let accuracy = taken.accuracy();
     let [bottom, top] = outside.heights();
     let naked = taken.naked_faces();
@@ -265,7 +295,7 @@ fn part_measures(
         Some((areas, _)) => sum(areas.clone()),
         None => sum(naked.iter().map(|face| area(*face, &accuracy)).collect()),
     };
-    let (height, width) = (outside.height(), width(outside));
+    let (height, width) = (outside.height(), width(outside.widths()));
     let mut body = Body { height, bottom, top, width, area: surface, ..Body::default() };
     // Before all that would take long on a surface without an end.
     refuse_infinite(&body, &format!("parts[{index}]"))?;
@@ -331,6 +361,16 @@ fn part_measures(
     ))
 }
 
+impl PartMeasures {
+    /// Says why it has no wall; and if it was to have one, that this is why it holds nothing.
+    pub(super) fn is_refused(&mut self, why: &Error, is_to_be_hollow: bool) {
+        (self.reason, self.cause) = (Some(why.message().to_owned()), Some(Cause::from(why)));
+        if is_to_be_hollow {
+            (self.capacity_reason, self.capacity_cause) = (self.reason.clone(), self.cause.clone());
+        }
+    }
+}
+
 /// Centres of mass, footprint and tipping.
 fn stand<'a>(body: &mut Body, share: &Share, standing: impl FnOnce() -> Standing<'a>, accuracy: &Accuracy) {
     let Some(clay) = &share.clay else { return };
@@ -347,8 +387,7 @@ fn stand<'a>(body: &mut Body, share: &Share, standing: impl FnOnce() -> Standing
     }
 }
 
-fn width(outside: &Outside) -> Width {
-    let widths = outside.widths();
+fn width(widths: Widths) -> Width {
     Width {
         least: widths.least,
         greatest: widths.greatest,
@@ -368,10 +407,11 @@ fn overhang(Spot { value, error, at, face }: Spot) -> Option<Overhang> {
 }
 
 /// The measures of several parts together.
-fn whole(taken: &[Taken], parts: &[PartMeasures], shares: &[Share]) -> Body {
-    let highest = waves(taken);
+fn whole(instances: &[Instance], parts: &[PartMeasures], shares: &[Share]) -> Body {
+    let highest = waves(instances);
     let accuracy = Accuracy::new(ACCURACY, highest);
-    let bodies: Vec<Outside> = taken.iter().map(Taken::outside).collect();
+    let moved: Vec<Vec<Moved>> = instances.iter().map(Instance::faces).collect();
+    let bodies = Instance::outsides(instances, &moved);
     let bottom = parts.iter().fold(f64::INFINITY, |bottom, part| bottom.min(part.body.bottom));
     let top = parts.iter().fold(f64::NEG_INFINITY, |top, part| top.max(part.body.top));
     let error = parts.iter().fold(0.0f64, |error, part| error.max(part.body.height.error));
@@ -397,12 +437,11 @@ fn whole(taken: &[Taken], parts: &[PartMeasures], shares: &[Share]) -> Body {
     });
     let sum = |of: fn(&Share) -> Option<Moments>| shares.iter().filter_map(of).reduce(|sum, next| sum.plus(&next));
     let share = Share { clay: sum(|share| share.clay), water: sum(|share| share.water) };
-    let faces = taken.iter().flat_map(Taken::faces);
     let mut body = Body {
         height: Quantity::new(top - bottom, error),
         bottom,
         top,
-        width: width(&Outside::new(faces, highest)),
+        width: width(Outside::widths_of(&bodies)),
         area: parts.iter().fold(Quantity::default(), |sum, part| sum + part.body.area),
         clay,
         capacity,

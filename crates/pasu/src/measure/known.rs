@@ -1,86 +1,190 @@
-//! What parts measured before, for a design in which only others were changed.
+//! What was measured before of parts that are the same but for where they were moved to: copies of one another, and those of a design of before.
+
+use std::sync::Arc;
+
+use glam::DVec3;
 
 use super::measures::{MeasureOptions, PartMeasures};
+use super::moved::Moved;
+use super::outside::Outside;
 use super::share::Share;
-use crate::design::{Choice, Clay, Part, Unit};
-use crate::error::Result;
+use super::taken::{Stood, Taken};
+use crate::design::{Choice, Clay, Part, Placement, Shape, Unit, Wall};
+use crate::error::{Error, Result};
+use crate::face::Face;
 use crate::solid::Product;
 use crate::solution::{Newest, Solution};
 
-/// The most that are kept: those of a scene as a pot, and as a solid.
+/// The most bodies that are kept: those of a scene as pots, and as solids.
 const MOST: usize = 1_000;
 
-/// All that the measures of a part depend on that stands where it stood, but for its name.
-#[derive(Clone, Copy, PartialEq)]
+/// The most measures of one body that are kept: of clays, levels and densities.
+const MOST_OF_ONE: usize = 16;
+
+/// All that a body depends on that is measured.
+#[derive(Clone, PartialEq)]
 struct Key {
-    number: usize,
-    clay: Choice<Clay>,
+    shape: Shape,
+    /// Not moved, unless it would be another body then.
+    place: Placement,
+    /// As it is made, with its ring and drain as they are fitted.
+    wall: Option<Wall>,
+    has_wall: bool,
     product: Product,
+    /// Of a pot whether it is the same body wherever it is moved to.
+    is_movable: Option<bool>,
+}
+
+/// Where a part would be if it were not moved.
+fn unmoved(place: &Placement) -> Placement {
+    Placement { shift: [0.0; 3], ..*place }
+}
+
+impl Key {
+    fn of(part: &Part, place: Placement, stood: &Stood, product: Product) -> Key {
+        let wall = stood.pot.as_ref().map_or(part.wall, |pot| pot.wall());
+        let is_movable = stood.pot.as_ref().ok().map(|_| stood.is_movable());
+        Key { shape: part.shape.clone(), place, wall, has_wall: part.wall.is_some(), product, is_movable }
+    }
+
+    fn is_of(&self, part: &Part) -> bool {
+        [part.place, unmoved(&part.place)].contains(&self.place) && self.shape == part.shape
+    }
+}
+
+/// What is asked of a body besides.
+#[derive(Clone, Copy, PartialEq)]
+struct Asked {
+    clay: Choice<Clay>,
     fill: Option<u64>,
     density: Option<u64>,
 }
 
-impl Key {
-    fn of(number: usize, part: &Part, options: &MeasureOptions) -> Key {
-        let MeasureOptions { fill, product, density } = *options;
-        let [fill, density] = [fill, density].map(|number| number.map(f64::to_bits));
-        Key { number, clay: part.look.clay, product, fill, density }
+/// A body that is measured, not moved unless it can only be where it was moved to.
+pub(super) struct Subject {
+    pub(super) taken: Taken,
+    measured: Newest<Asked, (PartMeasures, Share)>,
+}
+
+impl Subject {
+    fn new(stood: Stood) -> Subject {
+        Subject { taken: Taken::of(stood), measured: Newest::new(MOST_OF_ONE) }
     }
 }
 
-/// Measures of the parts of one design.
+/// Bodies of one design.
 struct Known {
     unit: Unit,
-    parts: Vec<Part>,
-    measures: Newest<Key, (PartMeasures, Share)>,
+    subjects: Newest<Key, Arc<Subject>>,
 }
 
 impl Known {
-    /// What a solution keeps, with what that of the design before it knew of parts that are still as they were.
+    /// What a solution keeps, with what that of the design before it knew of parts that are still as they were but for where they were moved to.
     fn of(solution: &Solution) -> Option<&Known> {
         let [kept, before] = solution.measured_parts();
         if kept.is_empty() {
             let (unit, parts) = (solution.design().unit(), solution.design().parts());
             let before = before.get::<Known>().filter(|before| before.unit == unit);
-            let measures = before.map(|before| {
-                let pair = |number: usize| before.parts.get(number).zip(parts.get(number));
-                before.measures.of(|key| pair(key.number).is_some_and(|(own, part)| own.stands_as(part)))
-            });
-            let measures = measures.unwrap_or_else(|| Newest::new(MOST));
-            kept.keep(Known { unit, parts: parts.to_vec(), measures });
+            let subjects = before.map(|before| before.subjects.of(|key| parts.iter().any(|part| key.is_of(part))));
+            let subjects = subjects.unwrap_or_else(|| Newest::new(MOST));
+            kept.keep(Known { unit, subjects });
         }
         kept.get()
     }
 }
 
-/// What a part measures, which is asked once: `measure` measures it where that is not known.
-///
-/// # Errors
-/// As `measure`; no refusal is kept.
-pub(super) fn once(
-    solution: &Solution,
-    number: usize,
-    options: &MeasureOptions,
-    measure: impl FnOnce() -> Result<(PartMeasures, Share)>,
-) -> Result<(PartMeasures, Share)> {
-    let (_, part) = solution.existing(number)?;
-    let key = Key::of(number, part, options);
-    let known = Known::of(solution).map(|known| &known.measures);
-    if let Some((measures, share)) = known.and_then(|known| known.find(|of, _| *of == key)) {
-        return Ok((PartMeasures { name: part.name.clone(), ..measures }, share));
+/// One part: a body, where that was moved to.
+pub(super) struct Instance {
+    pub(super) subject: Arc<Subject>,
+    by: DVec3,
+    /// Why it has no wall, with the place.
+    refusal: Option<Error>,
+}
+
+impl Instance {
+    /// # Errors
+    /// As [`Stood::new`].
+    pub(super) fn new(solution: &Solution, number: usize, product: Product) -> Result<Instance> {
+        let mut stood = Stood::new(solution, number, product)?;
+        let (part, refusal) = (solution.existing(number)?.1, stood.refusal().cloned());
+        let (by, place) =
+            if stood.is_movable() { (stood.shift(), unmoved(&part.place)) } else { (DVec3::ZERO, part.place) };
+        let key = Key::of(part, place, &stood, product);
+        let known = Known::of(solution).map(|known| &known.subjects);
+        if let Some(subject) = known.and_then(|known| known.find(|of, _| *of == key)) {
+            return Ok(Instance { subject, by, refusal });
+        }
+        if by != DVec3::ZERO {
+            let Ok(unmoved) = stood.unmoved() else {
+                // What is rounded is rounded otherwise there: this one is itself alone.
+                return Ok(Instance { subject: Arc::new(Subject::new(stood)), by: DVec3::ZERO, refusal });
+            };
+            stood = unmoved;
+        }
+        let subject = Arc::new(Subject::new(stood));
+        if let Some(known) = known {
+            known.keep(key, &subject, 1);
+        }
+        Ok(Instance { subject, by, refusal })
     }
-    let measured = measure()?;
-    if let Some(known) = known {
-        known.keep(key, &measured, 1);
+
+    /// The faces between which heights and widths are, moved.
+    pub(super) fn faces(&self) -> Vec<Moved<'_>> {
+        self.subject.taken.faces().into_iter().map(|face| Moved::new(face, self.by)).collect()
     }
-    Ok(measured)
+
+    /// Every one from outside; `moved` are the faces of each. Of copies one is sampled.
+    pub(super) fn outsides<'a>(all: &'a [Instance], moved: &'a [Vec<Moved>]) -> Vec<Outside<'a>> {
+        let mut sampled: Vec<(&Arc<Subject>, Outside)> = Vec::new();
+        let mut outside = |(instance, faces): (&'a Instance, &'a Vec<Moved>)| {
+            let faces = faces.iter().map(|face| face as &dyn Face);
+            if let Some((_, sampled)) = sampled.iter().find(|(subject, _)| Arc::ptr_eq(subject, &instance.subject)) {
+                return sampled.moved(faces, instance.by);
+            }
+            let here = instance.subject.taken.outside();
+            let moved = here.moved(faces, instance.by);
+            sampled.push((&instance.subject, here));
+            moved
+        };
+        all.iter().zip(moved).map(&mut outside).collect()
+    }
+
+    /// What the part measures: `measure` measures its body, with these options, where that is not known.
+    ///
+    /// # Errors
+    /// As `measure`; no refusal is kept.
+    pub(super) fn measures(
+        &self,
+        part: &Part,
+        options: &MeasureOptions,
+        measure: impl FnOnce(&MeasureOptions) -> Result<(PartMeasures, Share)>,
+    ) -> Result<(PartMeasures, Share)> {
+        let fill = options.fill.map(|level| level - self.by.z);
+        let [level, density] = [fill, options.density].map(|number| number.map(f64::to_bits));
+        let asked = Asked { clay: part.look.clay, fill: level, density };
+        let measured = &self.subject.measured;
+        let (measures, share) = match measured.find(|of, _| *of == asked) {
+            Some(found) => found,
+            None => {
+                let found = measure(&MeasureOptions { fill, ..*options })?;
+                measured.keep(asked, &found, 1);
+                found
+            }
+        };
+        let mut measures = measures.moved(self.by, options.fill);
+        measures.name.clone_from(&part.name);
+        if let Some(why) = &self.refusal {
+            measures.is_refused(why, part.wall.is_some() && options.product == Product::Pot);
+        }
+        Ok((measures, share.moved(self.by)))
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::design::Design;
-    use crate::measure::measure;
+    use crate::measure::{Measures, measure};
 
     /// A cup and a vase beside it, each with what is said of it.
     fn two(unit: &str, cup: &str, vase: &str) -> Design {
@@ -97,26 +201,33 @@ mod tests {
         format!(r#", "place": {{ "shift": [{x}, 0, 0] }}"#)
     }
 
+    /// How often something was measured.
     fn n_kept(solution: &Solution) -> usize {
-        Known::of(solution).unwrap().measures.n_kept()
+        let subjects = Known::of(solution).unwrap().subjects.values();
+        subjects.iter().map(|subject| subject.measured.n_kept()).sum()
     }
 
     #[test]
-    fn a_part_is_measured_once_while_it_stands_and_every_number_is_that_of_a_fresh_design() {
+    fn a_part_is_measured_once_wherever_it_is_moved_and_every_number_is_that_of_a_fresh_design() {
         let options = MeasureOptions::default();
         let first = Solution::of(&two("cm", "", &at(9.0)));
         assert_eq!(first.measure(&options).unwrap(), first.measure(&options).unwrap());
         assert_eq!(n_kept(&first), 2);
-        // The other is moved: of the two that are known one is taken over, and one is new.
+        // The other is moved: both are known.
         let design = two("cm", r#", "name": "mug", "look": { "glaze": "cobalt" }"#, &at(9.5));
         let second = first.after(&design);
-        assert_eq!(n_kept(&second), 1);
+        assert_eq!(n_kept(&second), 2);
         let measures = second.measure(&options).unwrap();
         assert_eq!((n_kept(&second), measures.parts[0].name.as_deref()), (2, Some("mug")));
         assert_eq!(measures, measure(&design, &options).unwrap());
         // Through a design of which nothing was asked.
         let third = second.after(&two("cm", "", &at(8.0))).after(&design);
         assert_eq!(third.measure(&options).unwrap(), measures);
+        // Turned, it stands otherwise.
+        let turned = third.after(&two("cm", "", r#", "place": { "axis": [0, 1, 0], "angle": 0.5 }"#));
+        assert_eq!(n_kept(&turned), 1);
+        assert_eq!(turned.measure(&options).unwrap(), measure(turned.design(), &options).unwrap());
+        assert_eq!(n_kept(&turned), 2);
     }
 
     #[test]
@@ -140,6 +251,53 @@ mod tests {
             assert_eq!(n_kept(&next), n_known);
             let measures = next.measure(&options).unwrap();
             assert!(measures != plain && measures == measure(&design, &options).unwrap(), "{}", design.to_json());
+        }
+    }
+
+    #[test]
+    fn copies_are_measured_once_and_each_stands_where_it_stands() {
+        let copy = |shift: [f64; 3], object: usize, name: &str| {
+            format!(
+                r#"{{ "shape": {{ "kind": "second-order", "r": [3, 0.1, 3.5, 0.3], "t": [0.4, 0], "n": [1, 5], "height": 4 }}, "wall": {{ "thickness": 0.3, "base": 0.4 }},
+                "object": {object}, "name": "{name}", "place": {{ "shift": {shift:?} }} }}"#
+            )
+        };
+        let shifts = [[0.0; 3], [9.0, 0.0, 0.0], [0.0, 9.0, 0.5], [-9.0, 2.0, -1.25]];
+        let parts = shifts.iter().zip(0..).map(|(shift, object)| copy(*shift, object, &object.to_string()));
+        let parts: Vec<String> = parts.collect();
+        let all = Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{}] }}"#, parts.join(", "))).unwrap();
+        let solution = Solution::of(&all);
+        let options = MeasureOptions { fill: Some(1.5), ..MeasureOptions::default() };
+        let Measures { parts: measured, .. } = solution.measure(&options).unwrap();
+        // Three levels above the foot.
+        assert_eq!(n_kept(&solution), 3);
+        for (part, text) in measured.iter().zip(&parts) {
+            let alone = Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{text}] }}"#)).unwrap();
+            let alone = measure(&alone, &options).unwrap().parts.remove(0);
+            assert_eq!(*part, PartMeasures { part: part.part, ..alone });
+            let shift = shifts[part.part];
+            assert_eq!((part.body.bottom, part.body.capacity.unwrap().fill.unwrap().level), (shift[2], 1.5));
+            let at = part.body.centre.empty.unwrap();
+            assert!((0..2).all(|i| (at.at[i] - shift[i]).abs() <= at.error), "{at:?} {shift:?}");
+        }
+    }
+
+    #[test]
+    fn a_copy_that_is_refused_says_so_of_itself() {
+        let copy = |x: f64, object: usize| {
+            format!(
+                r#"{{ "shape": {{ "kind": "second-order", "r": [3, 0.1, 3.5, 0.3], "t": [0.4, 0], "n": [1, 5], "height": 4 }}, "wall": {{ "thickness": 0.3, "base": 9 }},
+                "object": {object}, "place": {{ "shift": [{x}, 0, 0] }} }}"#
+            )
+        };
+        let design = Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{}, {}] }}"#, copy(0.0, 0), copy(9.0, 1)));
+        let solution = Solution::of(&design.unwrap());
+        for part in solution.measure(&MeasureOptions::default()).unwrap().parts {
+            let why = solution.sound_pot(part.part, Product::Pot).unwrap_err();
+            assert_eq!(part.reason.as_deref(), Some(why.message()));
+            assert_eq!(part.capacity_reason, part.reason);
+            let path = Some(format!("parts[{}].wall.base", part.part));
+            assert_eq!((part.cause.unwrap().path, part.capacity_cause.unwrap().path), (path.clone(), path));
         }
     }
 }

@@ -18,6 +18,7 @@ mod known;
 mod loads;
 mod measures;
 mod moments;
+mod moved;
 mod outside;
 mod paint;
 mod panels;

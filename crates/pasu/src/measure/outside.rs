@@ -50,9 +50,7 @@ impl Plan {
 
     /// No point of a row reaches further in a direction: products and sums that are rounded are in the order of what is rounded.
     fn most(&self, row: usize, direction: DVec2) -> f64 {
-        let [low, high] = self.boxes[row];
-        let far = |low: f64, high: f64, along: f64| if along > 0.0 { high * along } else { low * along };
-        far(low.x, high.x, direction.x) + far(low.y, high.y, direction.y)
+        farthest(self.boxes[row], direction)
     }
 
     /// How far the points reach in a direction.
@@ -65,6 +63,18 @@ impl Plan {
             }
         })
     }
+}
+
+/// How far a box reaches in a direction.
+fn farthest([low, high]: [DVec2; 2], direction: DVec2) -> f64 {
+    let far = |low: f64, high: f64, along: f64| if along > 0.0 { high * along } else { low * along };
+    far(low.x, high.x, direction.x) + far(low.y, high.y, direction.y)
+}
+
+/// The largest coordinate of some grids, whatever its sign.
+fn largest(faces: &[(&dyn Face, Grid<FaceJet>)]) -> f64 {
+    let points = faces.iter().flat_map(|(_, grid)| grid.points());
+    points.fold(0.0f64, |size, jet| size.max(jet.position.abs().max_element()))
 }
 
 /// Where a body is lowest: single points, curves on its faces, and faces that lie at that level as a whole.
@@ -155,17 +165,25 @@ impl<'a> Outside<'a> {
         let round = |face: &dyn Face| if face.goes_back(1.5 * PI) { columns.next_multiple_of(2) } else { columns };
         let faces: Vec<_> = faces.into_iter().map(|face| sampled(face, rows(face), round(face))).collect();
         let points = || faces.iter().flat_map(|(_, grid)| grid.points()).map(|jet| jet.position);
-        let size = points().fold(0.0f64, |size, p| size.max(p.abs().max_element()));
         let [low, high] =
             points().fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], p| [low.min(p), high.max(p)]);
         let plans = faces.iter().map(|(_, grid)| Plan::of(grid)).collect();
-        let mut outside = Outside { faces, plans, size, extent: 0.5 * (high - low).length(), highest };
+        let extent = 0.5 * (high - low).length();
+        let mut outside = Outside { size: largest(&faces), faces, plans, extent, highest };
         // A wall that had to be thinned has bumps between its knots, which matter where it is outermost.
         for (index, rows, columns) in outside.too_coarse() {
             let finer = sampled(outside.faces[index].0, rows, columns);
             (outside.plans[index], outside.faces[index]) = (Plan::of(&finer.1), finer);
         }
         outside
+    }
+
+    /// The same, moved; these are the faces of the one that was.
+    pub(crate) fn moved<'b>(&self, faces: impl Iterator<Item = &'b dyn Face>, by: DVec3) -> Outside<'b> {
+        let moved = |jet: &FaceJet| FaceJet { position: jet.position + by, ..*jet };
+        let faces: Vec<_> = faces.zip(&self.faces).map(|(face, (_, grid))| (face, grid.map(moved))).collect();
+        let plans = faces.iter().map(|(_, grid)| Plan::of(grid)).collect();
+        Outside { size: largest(&faces), faces, plans, extent: self.extent, highest: self.highest }
     }
 
     /// The faces whose knots are nearer to each other than the points of their grids, of those that reach about as far as any other in some direction; with the rows and columns that see them.
@@ -244,6 +262,38 @@ impl<'a> Outside<'a> {
     /// Least and greatest caliper width from above.
     pub(crate) fn widths(&self) -> Widths {
         widths::widths(self.highest, self.size, |angle| self.contact(direction(angle)))
+    }
+
+    /// Least and greatest caliper width of all of them together.
+    pub(crate) fn widths_of(all: &[Outside]) -> Widths {
+        let [highest, size] = all
+            .iter()
+            .fold([0.0f64; 2], |[highest, size], outside| [highest.max(outside.highest.abs()), size.max(outside.size)]);
+        let boxes: Vec<[DVec2; 2]> = all.iter().map(Outside::plan_box).collect();
+        widths::widths(highest, size, |angle| {
+            let direction = direction(angle);
+            // Whatever is between the points of a grid does not reach much further than its box does.
+            let most = |(outside, ends): (&Outside, &[DVec2; 2])| farthest(*ends, direction) + BETWEEN * outside.extent;
+            let mut order: Vec<(f64, usize)> = all.iter().zip(&boxes).map(most).zip(0..).collect();
+            order.sort_by(|x, y| y.0.total_cmp(&x.0));
+            let mut best = Contact { reach: f64::MIN, point: DVec2::ZERO };
+            for (most, index) in order {
+                if most < best.reach {
+                    break;
+                }
+                let here = all[index].contact(direction);
+                if here.reach > best.reach {
+                    best = here;
+                }
+            }
+            best
+        })
+    }
+
+    /// The box round the points of its grids from above.
+    fn plan_box(&self) -> [DVec2; 2] {
+        let boxes = self.plans.iter().flat_map(|plan| &plan.boxes);
+        boxes.fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[low, high], own| [low.min(own[0]), high.max(own[1])])
     }
 
     /// How far it reaches in a level direction: from the best points of the grids, climbed.

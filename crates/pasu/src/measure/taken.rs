@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use super::accuracy::Accuracy;
 use super::bare::Bare;
 use super::capacity::Vessel;
@@ -9,11 +11,10 @@ use super::dry::Dry;
 use super::folded::Folded;
 use super::moments::Moments;
 use super::outside::Outside;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::face::{Face, PatchFace};
 use crate::solid::{Pot, Product};
-use crate::solution::Solution;
-use crate::watch;
+use crate::solution::{Placed, Solution};
 
 /// What integrals over exact faces are asked to keep, as a part of their size.
 pub(super) const ACCURACY: f64 = 1e-9;
@@ -36,43 +37,92 @@ pub(super) enum Naked {
     Patches { patches: Vec<PatchFace>, folded: Vec<Folded>, is_closed: bool, known: Option<Moments> },
 }
 
-impl Taken {
+/// What there is of a part to measure, where it stands.
+pub(super) struct Stood {
+    placed: Arc<Placed>,
+    /// The same, unless an open network has a thickness.
+    body: Arc<Placed>,
+    /// The body with its wall, if there can be one.
+    pub(super) pot: Result<Pot>,
+    /// Whether it is to have a wall, and so is no solid by itself.
+    is_to_be_hollow: bool,
+}
+
+impl Stood {
     /// # Errors
     /// What [`Surface::solve`](crate::Surface::solve) refuses.
-    pub(super) fn new(solution: &Solution, index: usize, product: Product) -> Result<Taken> {
+    pub(super) fn new(solution: &Solution, index: usize, product: Product) -> Result<Stood> {
         let placed = solution.workable(index)?;
+        let is_to_be_hollow = product == Product::Pot && solution.existing(index)?.1.wall.is_some();
         // What cannot have the thickness that is asked for is measured as the surface that it is, and says why.
-        let (body, open, refused) = match solution.has_shell(index, product)? {
-            false => (Arc::clone(placed), Vec::new(), None),
+        let (body, refused) = match solution.has_shell(index, product)? {
+            false => (Arc::clone(placed), None),
             true => match solution.patched(index, product) {
-                Ok(shell) => (shell, PatchFace::all(placed), None),
-                Err(why) => (Arc::clone(placed), Vec::new(), Some(why)),
+                Ok(shell) => (shell, None),
+                Err(why) => (Arc::clone(placed), Some(why)),
             },
         };
-        let surface = match Bare::new(placed) {
+        let pot = refused.map_or_else(|| solution.sound_pot(index, product), Err);
+        Ok(Stood { placed: Arc::clone(placed), body, pot, is_to_be_hollow })
+    }
+
+    /// Where it was moved to.
+    pub(super) fn shift(&self) -> DVec3 {
+        self.placed.shift()
+    }
+
+    /// Whether it is a network whose body has a thickness.
+    fn is_shell(&self) -> bool {
+        !Arc::ptr_eq(&self.placed, &self.body)
+    }
+
+    /// Why it has no wall, though patches with a thickness have one without being a pot.
+    pub(super) fn refusal(&self) -> Option<&Error> {
+        self.pot.as_ref().err().filter(|_| !self.is_shell())
+    }
+
+    /// Whether it is the same body wherever it is moved to.
+    pub(super) fn is_movable(&self) -> bool {
+        self.pot.as_ref().map_or(true, Pot::is_movable)
+    }
+
+    /// What is [movable](Stood::is_movable) as it would stand if it were not moved.
+    ///
+    /// # Errors
+    /// As [`Pot::unmoved`].
+    pub(super) fn unmoved(&self) -> Result<Stood> {
+        let placed = Arc::new(self.placed.unmoved());
+        let body = if self.is_shell() { Arc::new(self.body.unmoved()) } else { Arc::clone(&placed) };
+        let pot = match &self.pot {
+            Ok(pot) => Ok(pot.unmoved()?),
+            Err(why) => Err(why.clone()),
+        };
+        Ok(Stood { placed, body, pot, is_to_be_hollow: self.is_to_be_hollow })
+    }
+}
+
+impl Taken {
+    /// # Errors
+    /// As [`Stood::new`].
+    pub(super) fn new(solution: &Solution, index: usize, product: Product) -> Result<Taken> {
+        Ok(Taken::of(Stood::new(solution, index, product)?))
+    }
+
+    pub(super) fn of(stood: Stood) -> Taken {
+        let open = if stood.is_shell() { PatchFace::all(&stood.placed) } else { Vec::new() };
+        let Stood { placed, body, pot, is_to_be_hollow } = stood;
+        let surface = match Bare::new(&placed) {
             Some(bare) => Naked::Upright { inside: bare.inside(), bare },
             None => {
                 // What is to have a wall is no solid, unless that is a thickness of its patches.
-                let is_hollow =
-                    product == Product::Pot && solution.existing(index)?.1.wall.is_some() && open.is_empty();
-                let is_closed = body.solved().is_closed() && !is_hollow;
+                let is_closed = body.solved().is_closed() && !(is_to_be_hollow && open.is_empty());
                 let patches = PatchFace::all(&body);
                 let folded = patches.iter().filter(|patch| !patch.is_closed()).cloned().map(Folded).collect();
                 let known = Moments::known(&body).filter(|_| is_closed);
                 Naked::Patches { patches, folded, is_closed, known }
             }
         };
-        let pot = refused.map_or_else(|| solution.sound_pot(index, product), Err);
-        Ok(Taken { surface, open, pot })
-    }
-
-    /// Every part of a design.
-    ///
-    /// # Errors
-    /// As [`Taken::new`].
-    pub(super) fn all(solution: &Solution, product: Product) -> Result<Vec<Taken>> {
-        let n = solution.n_parts();
-        (0..n).map(|index| watch::share(index, n, || Taken::new(solution, index, product))).collect()
+        Taken { surface, open, pot }
     }
 
     /// The faces of the surface itself.

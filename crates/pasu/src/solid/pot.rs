@@ -141,6 +141,19 @@ impl Pot {
         Pot::with(&self.skin, Some(wall), Arc::clone(&self.thickness), self.lined.clone())
     }
 
+    /// Whether it is the same body wherever it is moved to. A wall that had to be thinned and a lining of its own are not: rounding decides where they are thin.
+    pub(crate) fn is_movable(&self) -> bool {
+        self.thickness.is_even() && self.lined.is_none()
+    }
+
+    /// A [movable](Pot::is_movable) body as it would stand if it were not moved.
+    ///
+    /// # Errors
+    /// As [`Pot::of`], of which none is likely.
+    pub(crate) fn unmoved(&self) -> Result<Pot> {
+        Pot::with(&Arc::new(self.skin.unmoved()?), self.wall, Arc::clone(&self.thickness), None)
+    }
+
     /// Where the wall begins at even columns: its other side does, not the surface.
     fn starts(&self, columns: usize) -> Vec<f64> {
         let sheet = self.pieces.iter().find_map(|piece| match &piece.form {

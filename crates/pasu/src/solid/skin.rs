@@ -117,6 +117,15 @@ impl Skin {
         Skin { problem: problem.map(Box::new), ..self }
     }
 
+    /// The same as it would be if it were not moved.
+    ///
+    /// # Errors
+    /// As [`Skin::new`].
+    pub(super) fn unmoved(&self) -> Result<Skin> {
+        let skin = Skin::new(&Arc::new(self.placed().unmoved()))?;
+        Ok(Skin { problem: self.problem.clone(), ..skin })
+    }
+
     /// What it solves, where that was said.
     pub(super) fn problem(&self) -> Option<&BoundaryValue> {
         self.problem.as_deref()

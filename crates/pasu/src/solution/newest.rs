@@ -50,6 +50,12 @@ impl<K: Clone, V: Clone> Newest<K, V> {
         self.kept.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// All that are kept.
+    #[cfg(test)]
+    pub(crate) fn values(&self) -> Vec<V> {
+        self.kept().iter().map(|(_, value, _)| value.clone()).collect()
+    }
+
     /// How many are kept.
     #[cfg(test)]
     pub(crate) fn n_kept(&self) -> usize {

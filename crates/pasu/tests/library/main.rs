@@ -30,6 +30,7 @@ mod looks;
 mod measure;
 mod mesh;
 mod mode;
+mod moved;
 mod octants;
 mod one_body;
 mod placement;
