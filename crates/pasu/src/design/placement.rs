@@ -54,6 +54,11 @@ impl Placement {
         Placement { scale: self.scale, ..Placement::default() }
     }
 
+    /// The same size and direction, not moved.
+    pub(crate) fn unmoved(&self) -> Placement {
+        Placement { shift: [0.0; 3], ..*self }
+    }
+
     /// Where the coordinate axes of the shape point to, as unit vectors: a negative factor turns one round. `None` when the axis has no direction.
     pub(super) fn directions(&self) -> Option<[[f64; 3]; 3]> {
         let rotation = rotation(unit(self.axis)?, as_given(self.angle));

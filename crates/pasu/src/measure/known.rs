@@ -24,31 +24,26 @@ const MOST_OF_ONE: usize = 16;
 /// All that a body depends on that is measured.
 #[derive(Clone, PartialEq)]
 struct Key {
-    shape: Shape,
     /// Not moved, unless it would be another body then.
     place: Placement,
-    /// As it is made, with its ring and drain as they are fitted.
-    wall: Option<Wall>,
-    has_wall: bool,
     product: Product,
     /// Of a pot whether it is the same body wherever it is moved to.
     is_movable: Option<bool>,
-}
-
-/// Where a part would be if it were not moved.
-fn unmoved(place: &Placement) -> Placement {
-    Placement { shift: [0.0; 3], ..*place }
+    /// As it is made, with its ring and drain as they are fitted.
+    wall: Option<Wall>,
+    /// Last, because it takes longest to compare.
+    shape: Shape,
 }
 
 impl Key {
     fn of(part: &Part, place: Placement, stood: &Stood, product: Product) -> Key {
         let wall = stood.pot.as_ref().map_or(part.wall, |pot| pot.wall());
         let is_movable = stood.pot.as_ref().ok().map(|_| stood.is_movable());
-        Key { shape: part.shape.clone(), place, wall, has_wall: part.wall.is_some(), product, is_movable }
+        Key { place, product, is_movable, wall, shape: part.shape.clone() }
     }
 
     fn is_of(&self, part: &Part) -> bool {
-        [part.place, unmoved(&part.place)].contains(&self.place) && self.shape == part.shape
+        [part.place, part.place.unmoved()].contains(&self.place) && self.shape == part.shape
     }
 }
 
@@ -108,7 +103,7 @@ impl Instance {
         let mut stood = Stood::new(solution, number, product)?;
         let (part, refusal) = (solution.existing(number)?.1, stood.refusal().cloned());
         let (by, place) =
-            if stood.is_movable() { (stood.shift(), unmoved(&part.place)) } else { (DVec3::ZERO, part.place) };
+            if stood.is_movable() { (stood.shift(), part.place.unmoved()) } else { (DVec3::ZERO, part.place) };
         let key = Key::of(part, place, &stood, product);
         let known = Known::of(solution).map(|known| &known.subjects);
         if let Some(subject) = known.and_then(|known| known.find(|of, _| *of == key)) {

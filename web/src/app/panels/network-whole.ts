@@ -16,7 +16,7 @@ import { networks as words } from "../../words/english/networks";
 import { framedNetwork, networkDesk, networkOf } from "../../work/network-desk";
 
 const DEGREE = Math.PI / 180;
-/** The angle of a crease where a document gives none, in radians. */
+/** The angle of a crease where a document gives none, in radians: frozen with version 1 of the format. */
 const CREASE = 0.5;
 /** What a person reads has no digits of rounding. */
 const DIGITS = 6;
@@ -38,7 +38,7 @@ export class PasuNetworkWhole extends DesignerElement {
     const rules: readonly Rule[] = ["global", "seed"];
     return html`<details>
       <summary><h3>${words.whole}</h3><span>${words.wholeHelp}</span></summary>
-      <span class="cell" title=${words.creaseHelp}
+      <span class="cell"
         ><span aria-hidden="true">${words.crease}</span
         ><pasu-number
           compact
@@ -133,10 +133,12 @@ export class PasuNetworkWhole extends DesignerElement {
         max-width: 12rem;
         padding-top: 10px;
       }
+      h3 {
+        flex: none;
+      }
       .told {
         padding: 8px 0 4px;
         color: var(--soft);
-        font-size: 0.92rem;
         text-wrap: pretty;
       }
     `,
