@@ -3,6 +3,7 @@ import { NETWORKED } from "../gallery/networks";
 import type { Triple } from "../types";
 import { type Edge, edgesOf, faultOf, isClosed, isFree, type Network, type Patch } from "./network";
 import { readObj } from "./obj";
+import { heightOf } from "./sculpting";
 import { ringThrough } from "./selection";
 import { pointOn } from "./surface";
 import { type Building, type Built, bridged, extruded, filled, outsides, removed, rowsOf, split } from "./topology";
@@ -104,6 +105,50 @@ test("a strip is split all the way round, and the surface stays where it was", (
     const after = pointOn(network, 2 * patch, u, 2 * v);
     expect(Math.hypot(...before.map((value, axis) => value - (after[axis] ?? 0)))).toBeLessThan(1e-4);
   }
+});
+
+test("what is split stays where it was whatever its parameters, in strips that are split in part too, and is pushed as far", () => {
+  const parameters = (patch: number): Pick<Patch, "a1" | "a2" | "forces"> => ({
+    a1: [1 + (patch % 3), 0.5, 2],
+    a2: [1, 3, 0.75 + (patch % 5)],
+    forces: [{ f0: [1, -20, 30], u: [0.25, 0.75], v: [0.5, 1], falloff: "smooth" }],
+  });
+  for (const id of ["own-leaf", "own-mug"]) {
+    const plain = model(id);
+    const stiff = { ...plain, patches: plain.patches.map((patch, place) => ({ ...patch, ...parameters(place) })) };
+    for (const whole of [plain, stiff]) {
+      for (const edge of [...edgesOf(whole).values()].slice(0, 24)) {
+        const { network } = done(split(whole, new Set([edge.sides[0]?.vertices[1] ?? -1])));
+        let place = 0;
+        for (const [patch, before] of whole.patches.entries()) {
+          const now = network.patches[place] as Patch;
+          const isHalf = now.frame.some((vertex, index) => vertex !== before.frame[index]);
+          const isAlongU = now.frame[2] !== before.frame[2];
+          const [u, v] = [0.3, 0.2];
+          const there = pointOn(network, place, isHalf && isAlongU ? 2 * u : u, isHalf && !isAlongU ? 2 * v : v);
+          const apart = pointOn(whole, patch, u, v).map((value, axis) => value - there[axis as 0]);
+          expect(Math.hypot(...apart), `${id} ${patch}`).toBeLessThan(1e-5);
+          // The region along v is that of the second half alone.
+          const pushed = isHalf && !isAlongU ? network.patches[place + 1] : now;
+          const [force, first] = [pushed?.forces?.[0], before.forces?.[0]];
+          if (pushed && force && first)
+            for (const axis of [0, 1, 2] as const)
+              expect(heightOf(pushed, force)[axis]).toBeCloseTo(heightOf(before, first)[axis], 9);
+          else expect(first).toBeUndefined();
+          place += isHalf ? 2 : 1;
+        }
+        expect(place).toBe(network.patches.length);
+      }
+    }
+  }
+});
+
+test("no force is left with nothing to push where parameters would cancel each other out", () => {
+  const forces: Patch["forces"] = [{ f0: [0, 0, 5] }];
+  const [patch] = model("own-leaf").patches as readonly [Patch];
+  const leaf: Network = { ...model("own-leaf"), patches: [{ ...patch, a1: [1, 1, 1], a2: [1, 1, -4], forces }] };
+  const { network } = done(split(leaf, new Set([1])));
+  for (const { a1, a2 } of network.patches) expect([a1?.[2], a2?.[2]]).toEqual([1, -4]);
 });
 
 test("all strips are split across which an edge is picked, also where they cross", () => {

@@ -17,6 +17,7 @@ import {
   sideOf,
   sizeOf,
 } from "./network";
+import type { Force } from "./sculpting";
 import { cross, dot, neighboursOf, orderOf, pointOn, unit } from "./surface";
 
 export type Objection =
@@ -304,8 +305,8 @@ function divide(network: Network, edges: readonly Edge[]): Building {
             [p7, centre, p3, f, p4, p5, p6, e],
           ])(halvesOf([p0, p7, p6]), halvesOf([p2, p3, p4])) as readonly [Frame, Frame]);
     return [
-      { ...withForces(patch, way, 0), frame: one },
-      { ...withForces(patch, way, 1), frame: other },
+      { ...halved(patch, way, 0), frame: one },
+      { ...halved(patch, way, 1), frame: other },
     ];
   });
   for (const edge of crossed.values()) if (edge.sides[0]) next.add(edge.sides[0].vertices[1]);
@@ -342,18 +343,43 @@ function isSpanned(network: Network, patch: number, beside: readonly number[]): 
 
 const UNIT = [0, 1] as const;
 
-/** What of the forces of a patch falls to its half: a rectangle across the new edge goes on from the first half to the second. */
-function withForces({ forces, ...patch }: Patch, way: number, half: 0 | 1): Patch {
-  if (!forces) return patch;
+/** Half as long one way, a patch bends as the whole did where the parameter of that way is four times as large beside the other. With these, strips that run through both halves weigh them together as they weighed the whole. */
+const LENGTHWISE = 2 * Math.SQRT2;
+const CROSSWISE = Math.SQRT1_2;
+const ONES: Triple = [1, 1, 1];
+/** Less than this of the sum of both is rounding. */
+const NONE = 1e-9;
+/** Digits that documents keep. */
+const KEPT = 12;
+
+/** Half of a patch, which lies where it lay in the whole: its parameters go by its length, and its forces by these. */
+function halved({ forces, ...patch }: Patch, way: number, half: 0 | 1): Patch {
+  const { a1 = ONES, a2 = ONES } = patch;
+  const [along, across] = way === 0 ? [LENGTHWISE, CROSSWISE] : [CROSSWISE, LENGTHWISE];
+  const times = (axis: 0 | 1 | 2) => (along * a1[axis] + across * a2[axis]) / (a1[axis] + a2[axis]);
+  // Where both would cancel each other out no force could push: they stay.
+  const stays = (axis: 0 | 1 | 2) => forces !== undefined && !(Math.abs(times(axis)) > NONE && times(axis) < 1 / NONE);
+  const scaled = (one: Triple, by: (axis: 0 | 1 | 2) => number): Triple => {
+    const each = (axis: 0 | 1 | 2) => (stays(axis) ? one[axis] : Number((by(axis) * one[axis]).toPrecision(KEPT)));
+    return [each(0), each(1), each(2)];
+  };
+  const own = (forces ?? []).flatMap((force) => forceOf(force, way, half));
+  return {
+    ...patch,
+    a1: scaled(a1, () => along),
+    a2: scaled(a2, () => across),
+    ...(own.length > 0 && { forces: own.map((force) => ({ ...force, f0: scaled(force.f0, times) })) }),
+  };
+}
+
+/** What of a force falls to a half: a rectangle across the new edge goes on from the first half to the second. */
+function forceOf(force: Force, way: number, half: 0 | 1): readonly Force[] {
   const key = way === 0 ? "u" : "v";
-  const own = forces.flatMap((force) => {
-    const [from, to] = force[key] ?? UNIT;
-    const isSecond = from >= 0.5;
-    if ((half === 1) !== isSecond) return [];
-    const shift = isSecond ? 1 : 0;
-    return [{ ...force, [key]: [2 * from - shift, 2 * to - shift] as const }];
-  });
-  return own.length > 0 ? { ...patch, forces: own } : patch;
+  const [from, to] = force[key] ?? UNIT;
+  const isSecond = from >= 0.5;
+  if ((half === 1) !== isSecond) return [];
+  const shift = isSecond ? 1 : 0;
+  return [{ ...force, [key]: [2 * from - shift, 2 * to - shift] as const }];
 }
 
 /** Patches between two rings, or two rows, of as many free edges: what turns with the patches round them, and leaves each as its axis points. */
