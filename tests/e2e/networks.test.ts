@@ -188,6 +188,38 @@ test("points are dragged by the mouse, along axes too, and a drag is one step", 
   expect(await item(pot, "vertex 2").getAttribute("aria-label")).toMatch(/, 9 cm$/);
 });
 
+test("a drag that ends where it began is no step, and neither it nor one that is given up takes what can be redone", async () => {
+  const { pot, plain } = await opened();
+  const { page } = pot;
+  await points(pot);
+  await drag(pot, "vertex 2", 30, -40);
+  const dragged = await pot.fingerprintOtherThan(plain);
+  await pot.undo();
+  await pot.shows(plain);
+  const [x, y] = await middle(pot, "vertex 4");
+  const away = async () => {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 30, y + 20, { steps: 3 });
+    await expect.poll(() => number(pot, "x")).not.toBe(6);
+  };
+  await away();
+  await page.mouse.move(x, y, { steps: 3 });
+  await page.mouse.up();
+  await pot.shows(plain);
+  await away();
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  await pot.shows(plain);
+  await pot.redo();
+  await pot.shows(dragged);
+  await pot.undo();
+  await pot.shows(plain);
+  // The one step before is the network that was opened.
+  await pot.undo();
+  await page.locator("pasu-network-panel").waitFor({ state: "detached" });
+});
+
 test("where nothing can be picked it is said what to pick first, and a number is read as it was typed", async () => {
   const { pot } = await opened();
   await pot.button("Patches").click();

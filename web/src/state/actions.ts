@@ -1,5 +1,6 @@
 /** What a person can do to a design as a whole and to the page: pure functions from a state to the change that they ask for. */
 
+import { isAlike } from "../document/alike";
 import { labelOf } from "../document/label";
 import type { Path } from "../document/path";
 import { getPath, setPath } from "../document/path";
@@ -53,8 +54,7 @@ export function setLook(state: State, look: LookChange, key?: string): Change {
   const before = getPath(state.design, path) as Look | undefined;
   const all = Object.entries({ ...before, ...look }).filter(([, value]) => value !== undefined);
   const next = Object.fromEntries(all) as Look;
-  const fields = ["glaze", "inside", "line", "clay"] as const;
-  if (fields.every((field) => before?.[field] === next[field])) return NOTHING;
+  if (isAlike(before ?? {}, next)) return NOTHING;
   const design = setPath(state.design, path, next);
   return key === undefined ? { design, undo: "step" } : { design, undo: "merge", key };
 }
@@ -101,8 +101,8 @@ export function toggleSnapping({ session }: State): Change {
 /** Remembers what was chosen for a file. */
 export function setExport(state: State, change: Partial<Session["export"]>): Change {
   const before = state.session.export;
-  const same = Object.entries(change).every(([name, value]) => before[name as keyof typeof before] === value);
-  return same ? NOTHING : { undo: "none", session: { export: { ...before, ...change } } };
+  const next = { ...before, ...change };
+  return isAlike(before, next) ? NOTHING : { undo: "none", session: { export: next } };
 }
 
 /** How much clay is trimmed off and lost, in percent of the pot. */

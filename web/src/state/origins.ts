@@ -3,6 +3,7 @@
  * file keeps its origin through every change, and undo to a design opened before finds the origin of that one.
  */
 
+import { isAlike } from "../document/alike";
 import type { Design, Part } from "../document/types";
 
 export class Origins {
@@ -31,8 +32,7 @@ export class Origins {
     if (this.#of.has(design)) return;
     const origin = this.of(before);
     const parts = design.parts.map((part, index) => partOf(origin.parts[was(index)], part));
-    const same = parts.length === origin.parts.length && parts.every((part, index) => part === origin.parts[index]);
-    this.#of.set(design, same ? origin : { ...origin, parts });
+    this.#of.set(design, isAlike(parts, origin.parts) ? origin : { ...origin, parts });
   }
 }
 

@@ -72,6 +72,46 @@ describe("undo", () => {
     expect(rim()).toBe(1);
   });
 
+  test("a drag that ends where it began is no step, and what was undone before can still be redone", () => {
+    drag(1.1);
+    drag(1.2);
+    store.undo();
+    const before = store.design;
+    drag(1.2, 1.3, 1.1);
+    expect(store.design).toBe(before);
+    expect(store.canRedo).toBe(true);
+    store.redo();
+    expect(rim()).toBe(1.2);
+    drag(1.3, 1.2);
+    store.undo();
+    expect(rim()).toBe(1.1);
+  });
+
+  test("a gesture that was not meant takes nothing from what can be redone, and while it lasts nothing is", () => {
+    drag(1.1);
+    store.undo();
+    set(1.4, true);
+    expect(store.canRedo).toBe(false);
+    store.redo();
+    expect(rim()).toBe(1.4);
+    store.cancelGesture();
+    expect([rim(), store.canRedo]).toEqual([1, true]);
+    store.redo();
+    expect(rim()).toBe(1.1);
+    // What was meant and is undone is what can be redone then.
+    store.undo();
+    set(1.4, true);
+    store.undo();
+    store.redo();
+    expect([rim(), store.canRedo]).toEqual([1.4, false]);
+    // A second hand makes two steps of it, of which the first was meant.
+    store.undo();
+    set(1.5, true);
+    store.apply(shapeActions.dragHandle(store.state, RIM_HANDLE, 0.2, 0));
+    store.cancelGesture();
+    expect([rim(), store.canRedo]).toEqual([1.5, false]);
+  });
+
   test("a new step forgets what was undone", () => {
     drag(1.1);
     store.undo();

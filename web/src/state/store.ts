@@ -1,9 +1,10 @@
 /** The one place that holds what the page knows: a frozen document with its history, beside a session that is not undone. */
 
 import { batch, computed, type Signal, signal } from "@preact/signals-core";
+import { isAlike } from "../document/alike";
 import { frozen } from "../document/path";
 import type { Design } from "../document/types";
-import type { History, Left } from "./history";
+import type { History, Left, Trip } from "./history";
 import { cancelMerge, canRedo, canUndo, EMPTY, endMerge, recall, record, redo, undo } from "./history";
 import { freshIds, type Identified, type PartId, placeOf } from "./part-ids";
 import type { Session } from "./session";
@@ -113,6 +114,8 @@ export class Store {
 
   /** Ends the gesture: the next change is a step of its own. Who follows {@link inGesture} can settle. */
   endGesture(): void {
+    // What ended where it began is no step: undo would do nothing.
+    if (this.inGesture && isAlike(this.#history.peek().past.at(-1)?.design, this.#design.peek())) this.cancelGesture();
     this.#history.value = endMerge(this.#history.peek());
   }
 
@@ -170,7 +173,7 @@ export class Store {
     return ids;
   }
 
-  #travel(trip: { readonly history: History; readonly now: Left } | null, travelled = false): void {
+  #travel(trip: Trip | null, travelled = false): void {
     if (trip === null) return;
     const { design, ids, selection } = trip.now;
     const before = this.#ids.peek();
