@@ -220,6 +220,42 @@ test("a drag that ends where it began is no step, and neither it nor one that is
   await page.locator("pasu-network-panel").waitFor({ state: "detached" });
 });
 
+test("keys take a crest through the surface to its other side, and a patch that is full of forces says so", async () => {
+  const { pot, plain } = await opened();
+  const { page } = pot;
+  await points(pot);
+  await pot.type("Patch", "1");
+  await pot.button("Add a force").click();
+  await pot.fingerprintOtherThan(plain);
+  await item(pot, "crest 0 0").focus();
+  const heights = [await number(pot, "Height, force 1")];
+  for (let press = 0; press < 4; press += 1) {
+    await page.keyboard.press("Shift+ArrowDown");
+    await expect.poll(() => number(pot, "Height, force 1")).not.toBe(heights.at(-1));
+    heights.push(await number(pot, "Height, force 1"));
+  }
+  const steps = heights.slice(1).map((height, place) => height - (heights[place] ?? 0));
+  for (const step of steps) expect(step).toBeCloseTo(steps[0] ?? 0, 3);
+  expect(Math.sign(heights[0] ?? 0)).toBe(-Math.sign(heights.at(-1) ?? 0));
+  // A force is as high as so many steps: on the way the surface lies as if there were none.
+  expect(heights).toContain(0);
+
+  const full = JSON.parse(LEAF);
+  full.parts[0].shape.patches[0].forces = Array.from({ length: 64 }, (_, each) => ({ f0: [0, 0, each / 64] }));
+  const before = await pot.fingerprint();
+  await pot.dropFile("full.json", JSON.stringify(full));
+  const all = await pot.fingerprintOtherThan(before);
+  await pot.button("None").click();
+  await page.getByRole("radio", { name: "draws a region" }).check();
+  const [x, y] = await middle(pot, "patch 0");
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 40, y + 20, { steps: 3 });
+  await page.mouse.up();
+  await page.getByText("This patch has 64 forces, and can have no more.").waitFor();
+  await pot.shows(all);
+});
+
 test("where nothing can be picked it is said what to pick first, and a number is read as it was typed", async () => {
   const { pot } = await opened();
   await pot.button("Patches").click();

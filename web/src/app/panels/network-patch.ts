@@ -5,7 +5,7 @@ import { customElement, state } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
 import { AXES } from "../../document/network/moving";
 import { type Network, type Patch, sizeOf } from "../../document/network/network";
-import { crestOf, type Force, forceFor, heightOf } from "../../document/network/sculpting";
+import { crestOf, type Force, forceFor, heightOf, MOST_FORCES } from "../../document/network/sculpting";
 import { dot, normalOn } from "../../document/network/surface";
 import { outsides } from "../../document/network/topology";
 import type { Pair, Triple } from "../../document/types";
@@ -29,7 +29,6 @@ const STEPS = 100;
 const NARROWEST = 0.001;
 /** A new force pushes as far as this share of the size. */
 const PUSH = 0.1;
-const MOST = 64;
 /** A height is read as it was typed: a force has one digit more. */
 const DIGITS = 5;
 
@@ -62,7 +61,7 @@ export class PasuNetworkPatch extends DesignerElement {
               ${(patch.forces ?? []).map((force, index) => this.force(network, picked[0] ?? 0, patch, force, index))}
               ${(patch.forces ?? []).length > 0 ? this.reach("strength") : nothing}
               <div class="acts">
-                <button class="button outlined add" type="button" ?disabled=${(patch.forces ?? []).length >= MOST} @click=${() => this.add(picked[0] ?? 0)}>
+                <button class="button outlined add" type="button" ?disabled=${(patch.forces ?? []).length >= MOST_FORCES} @click=${() => this.add(picked[0] ?? 0)}>
                   ${icon("add")}<span>${words.addForce}</span>
                 </button>
                 <button class="button outlined" type="button" @click=${this.drawRegion}>${words.region}</button>
@@ -303,7 +302,7 @@ export class PasuNetworkPatch extends DesignerElement {
     const far = PUSH * sizeOf(network);
     this.change((patch, place) => {
       const { forces = [] } = patch;
-      if (forces.length >= MOST) return patch;
+      if (forces.length >= MOST_FORCES) return patch;
       const whole: Force = { f0: UP, falloff: "smooth" };
       const [x, y, z] = normals(place, whole);
       return { ...patch, forces: [...forces, { ...whole, f0: forceFor(patch, [far * x, far * y, far * z]) }] };

@@ -8,6 +8,8 @@ export type Force = NonNullable<Patch["forces"]>[number];
 
 const UNIT: Pair = [0, 1];
 const ONES: Triple = [1, 1, 1];
+/** A patch has no more forces. */
+export const MOST_FORCES = 64;
 /** A region is no narrower. */
 const NARROWEST = 0.05;
 /** So many patches away a region may reach. */

@@ -15,9 +15,18 @@ import {
   unlessStill,
 } from "../../document/network/moving";
 import { type Network, sizeOf } from "../../document/network/network";
-import { forceFor, heightOf, laidAt, pointsAt, regionBetween, rimOf, unfolded } from "../../document/network/sculpting";
+import {
+  forceFor,
+  heightOf,
+  laidAt,
+  MOST_FORCES,
+  pointsAt,
+  regionBetween,
+  rimOf,
+  unfolded,
+} from "../../document/network/sculpting";
 import { type Picks, withPatch, withVertex, withVertices } from "../../document/network/selection";
-import { normalAt, normalOn, unit } from "../../document/network/surface";
+import { dot, normalAt, normalOn, unit } from "../../document/network/surface";
 import { plus } from "../../document/network/topology";
 import type { Pair, Triple } from "../../document/types";
 import { formatNumber } from "../../number";
@@ -101,6 +110,8 @@ const RESTS_MS = 500;
 /** With more points buttons stand for what is picked alone: fields of the panel pick by number. */
 const MOST = 400;
 const COARSE = 10;
+/** Less than this of a step is rounding. */
+const DUST = 1e-4;
 const STEPS = 100;
 const TURN = Math.PI / 36;
 const SCALE = 1.02;
@@ -421,8 +432,10 @@ export class PasuNetworkHandles extends DesignerElement {
   private finish(held: Held, network: Network): void {
     const { item, begun, picks, grasp, now } = held;
     if (begun) {
+      const isFull = (network.patches[begun.patch]?.forces ?? []).length >= MOST_FORCES;
       // A click is no region: what is as narrow as can be would be a spike.
-      if (!held.moves || !this.sculpt(held, begun)) this.designer.notices.say(words.noRegion);
+      if (isFull) this.designer.notices.say(words.noMoreForces(formatNumber(MOST_FORCES)));
+      else if (!held.moves || !this.sculpt(held, begun)) this.designer.notices.say(words.noRegion);
       return;
     }
     if (!item) {
@@ -446,8 +459,7 @@ export class PasuNetworkHandles extends DesignerElement {
     const end = this.endOf(network, begun.patch, grasp.see, now);
     if (!patch || !end) return false;
     const normal = normalOn(network, begun.patch, ...begun.at) ?? [0, 0, 1];
-    const eye = towardsEye(grasp.see, grasp.at, grasp.size);
-    const out = normal[0] * eye[0] + normal[1] * eye[1] + normal[2] * eye[2] < 0 ? -1 : 1;
+    const out = facesEye(normal, grasp.see, grasp.at, network) ? 1 : -1;
     const far = out * RISE * grasp.size;
     const force = regionBetween(patch, begun.at, end, [far * normal[0], far * normal[1], far * normal[2]]);
     const patches = network.patches.map((each, index) =>
@@ -505,7 +517,7 @@ export class PasuNetworkHandles extends DesignerElement {
     event.stopPropagation();
     const times = event.shiftKey ? COARSE : 1;
     if (item.kind === "crest") {
-      this.raiseBy(network, item, (times * (arrow[0] + arrow[1]) * sizeOf(network)) / STEPS);
+      this.raiseBy(network, item, (times * (arrow[0] + arrow[1]) * sizeOf(network)) / STEPS, see);
       return;
     }
     const picks = isPicked(was, item) ? was : toggled(network, was, item, this.desk.settings.several);
@@ -528,13 +540,17 @@ export class PasuNetworkHandles extends DesignerElement {
     return shifting(grasp, [along[0] * far, along[1] * far, along[2] * far]);
   }
 
-  private raiseBy(network: Network, item: Extract<Item, { kind: "crest" }>, far: number): void {
+  /** Towards the eye or away from it, as a region rises that is drawn: through the surface to its other side too, where the crest points the other way. */
+  private raiseBy(network: Network, item: Extract<Item, { kind: "crest" }>, far: number, see: See): void {
     const patch = network.patches[item.patch];
     const force = patch?.forces?.[item.index];
     if (!patch || !force) return;
     const height = heightOf(patch, force);
     const way = unit(height) ?? normalOn(network, item.patch, 0.5, 0.5) ?? [0, 0, 1];
-    const f0 = forceFor(patch, plus(height, way, far));
+    const from = this.placed.find((each) => nameOf(each.item) === nameOf(item))?.at ?? [0, 0, 0];
+    const next = plus(height, way, facesEye(way, see, from, network) ? far : -far);
+    // As high as nothing is what rounding leaves.
+    const f0 = forceFor(patch, Math.hypot(...next) > DUST * Math.abs(far) ? next : [0, 0, 0]);
     const forces = (patch.forces ?? []).map((each, place) => (place === item.index ? { ...each, f0 } : each));
     const patches = network.patches.map((each, index) => (index === item.patch ? { ...each, forces } : each));
     this.edit((before) => ({ ...before, patches }), `crest ${nameOf(item)}`);
@@ -764,6 +780,11 @@ export class PasuNetworkHandles extends DesignerElement {
       }
     `,
   ];
+}
+
+/** Whether a direction leads towards the eye, and not away from it. */
+function facesEye(way: Triple, see: See, from: Triple, network: Network): boolean {
+  return dot(way, towardsEye(see, from, sizeOf(network))) >= 0;
 }
 
 /** The vertices that are picked, and those of picked patches. */
