@@ -71,6 +71,49 @@ export function laidAt({ origin, along, across }: Unfolded, u: number, v: number
   return [origin[0] + u * along[0] + v * across[0], origin[1] + u * along[1] + v * across[1]];
 }
 
+/** What of a force may come to lie on a patch, and how that patch is laid out from the one that has it. */
+interface Push {
+  readonly laid: Unfolded;
+  readonly force: Force;
+  readonly height: Triple;
+}
+
+const pushed = new WeakMap<Network["patches"], ReadonlyMap<number, readonly Push[]>>();
+
+/** What pushes each patch; wherever its points are moved to it is the same. */
+function pushesOf(network: Network): ReadonlyMap<number, readonly Push[]> {
+  const known = pushed.get(network.patches);
+  if (known) return known;
+  const found = new Map<number, Push[]>();
+  for (const [place, patch] of network.patches.entries()) {
+    if (!patch.forces?.length) continue;
+    for (const laid of unfolded(network, place)) {
+      const own = patch.forces.map((force) => ({ laid, force, height: heightOf(patch, force) }));
+      found.set(laid.patch, [...(found.get(laid.patch) ?? []), ...own]);
+    }
+  }
+  pushed.set(network.patches, found);
+  return found;
+}
+
+/** How much of its height a force has at a place of the laid out patches. */
+function shareAt({ u = UNIT, v = UNIT, falloff = "sine" }: Force, [x, y]: Pair): number {
+  const [p, q] = [(x - u[0]) / (u[1] - u[0]), (y - v[0]) / (v[1] - v[0])];
+  if (!(p > 0 && p < 1 && q > 0 && q < 1)) return 0;
+  const sine = Math.sin(Math.PI * p) * Math.sin(Math.PI * q);
+  return falloff === "smooth" ? sine ** 2 : sine;
+}
+
+/** A point of a patch with what pushes it: where it is seen. */
+export function seenOn(network: Network, patch: number, u: number, v: number): Triple {
+  let [x, y, z] = pointOn(network, patch, u, v);
+  for (const { laid, force, height } of pushesOf(network).get(patch) ?? []) {
+    const share = shareAt(force, laidAt(laid, u, v));
+    [x, y, z] = [x + share * height[0], y + share * height[1], z + share * height[2]];
+  }
+  return [x, y, z];
+}
+
 /** The point of the surface at a place of the laid out patches; null beyond them. */
 export function pointAt(network: Network, laid: readonly Unfolded[], [x, y]: Pair): Triple | null {
   const near = 1e-9;
@@ -78,7 +121,7 @@ export function pointAt(network: Network, laid: readonly Unfolded[], [x, y]: Pai
     const [dx, dy] = [x - each.origin[0], y - each.origin[1]];
     const u = dx * each.along[0] + dy * each.along[1];
     const v = dx * each.across[0] + dy * each.across[1];
-    if (u >= -near && u <= 1 + near && v >= -near && v <= 1 + near) return pointOn(network, each.patch, u, v);
+    if (u >= -near && u <= 1 + near && v >= -near && v <= 1 + near) return seenOn(network, each.patch, u, v);
   }
   return null;
 }

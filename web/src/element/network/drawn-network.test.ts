@@ -1,9 +1,19 @@
 import { expect, test } from "vitest";
 import type { Frame, Network } from "../../document/network/network";
+import { seenOn } from "../../document/network/sculpting";
 import { NOTHING } from "../../document/network/selection";
 import type { Triple } from "../../document/types";
 import type { See } from "../../render/pull/reach";
-import { isLeft, movedItems, NetworkCurves, partedOf, placedItems } from "./drawn-network";
+import {
+  drawHeld,
+  drawNetwork,
+  isLeft,
+  movedItems,
+  NetworkCurves,
+  partedOf,
+  placedItems,
+  touched,
+} from "./drawn-network";
 
 /** A flat sheet of patches, of sides 2. */
 function sheet(rows: number, columns: number): Network {
@@ -116,4 +126,58 @@ test("of a body those points are shown that face the eye, however far away they 
   const reversed = box.patches.map(({ frame }) => ({ frame: back(frame) }));
   const other = placedItems(new NetworkCurves({ ...box, patches: reversed }), NOTHING, null, seeDown).placed;
   expect(other.filter(({ item }) => item.kind === "patch")).toHaveLength(36);
+});
+
+test("what is picked, its middle and what a hand draws lie on lines of the ground, whatever the glaze beneath", () => {
+  const network = sheet(1, 2);
+  const curves = new NetworkCurves(network);
+  const picks = { vertices: new Set([0, 1]), patches: new Set([0]) };
+  const colours = { line: "ink", picked: "mint", ground: "sheet" };
+  const strokes: { readonly colour: string; readonly wide: number }[] = [];
+  const context = new Proxy({} as Record<string | symbol, unknown>, {
+    get: (own, name) => {
+      if (name === "stroke")
+        return () => strokes.push({ colour: String(own.strokeStyle), wide: Number(own.lineWidth) });
+      return name in own ? own[name] : () => undefined;
+    },
+  }) as unknown as CanvasRenderingContext2D;
+  const { placed } = placedItems(curves, picks, [1, 1, 0], see);
+  drawNetwork(context, curves, placed, picks, see, colours);
+  drawHeld(
+    context,
+    see,
+    colours,
+    [
+      { x: 0, y: 0 },
+      { x: 9, y: 9 },
+    ],
+    [],
+  );
+  const lines = strokes.flatMap(({ colour, wide }, place) =>
+    colour === "mint" ? [{ wide, under: strokes[place - 1] }] : [],
+  );
+  // Round the patch, round what pushes it, the middle, the box.
+  expect(lines).toHaveLength(4);
+  for (const { wide, under } of lines) expect(under).toEqual({ colour: "sheet", wide: wide + 2 });
+  // Three that are filled in the colour of the accent have a rim of the ground.
+  expect(strokes.filter(({ colour, wide }) => colour === "sheet" && wide === 1.6)).toHaveLength(3);
+});
+
+test("a hand is where the surface is seen, over a hill too", () => {
+  const frame = [0, 1, 2, 3, 4, 5, 6, 7] as unknown as Frame;
+  const flat = sheet(1, 1);
+  // Three high in its middle.
+  const hill: Network = {
+    ...flat,
+    patches: [{ frame, forces: [{ f0: [0, 0, -6 * Math.PI ** 2], falloff: "smooth" }] }],
+  };
+  const tilted: See = ([x, y, z]) => ({ x: 10 * x, y: -10 * y - 10 * z, depth: 100 - z + y });
+  for (const [u, v] of [
+    [0.4, 0.3],
+    [0.6, 0.45],
+  ] as const) {
+    const spot = tilted(seenOn(hill, 0, u, v));
+    const found = spot && touched(hill, tilted, spot);
+    expect(Math.hypot((found?.u ?? 9) - u, (found?.v ?? 9) - v)).toBeLessThan(0.06);
+  }
 });

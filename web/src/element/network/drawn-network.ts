@@ -10,10 +10,10 @@ import {
   patchesRound,
   type Side,
 } from "../../document/network/network";
-import { crestOf, heightOf, pointAt, pointsAt, rimOf, unfolded } from "../../document/network/sculpting";
+import { crestOf, pointAt, pointsAt, rimOf, seenOn, unfolded } from "../../document/network/sculpting";
 import type { Picks } from "../../document/network/selection";
 import { cross, dot, pointOn } from "../../document/network/surface";
-import { outsides, plus } from "../../document/network/topology";
+import { outsides } from "../../document/network/topology";
 import type { Triple } from "../../document/types";
 import type { See, Spot } from "../../render/pull/reach";
 
@@ -425,8 +425,8 @@ function crests(network: Network, { patches }: Picks) {
     if (!own || !forces) return [];
     const laid = unfolded(network, patch);
     return forces.flatMap((force, index) => {
-      const base = pointAt(network, laid, crestOf(force));
-      return base ? [{ item: { kind: "crest", patch, index } as const, at: plus(base, heightOf(own, force), 1) }] : [];
+      const crest = pointAt(network, laid, crestOf(force));
+      return crest ? [{ item: { kind: "crest", patch, index } as const, at: crest }] : [];
     });
   });
 }
@@ -450,14 +450,16 @@ export function drawNetwork(
   else
     for (let edge = 0; edge < edges.length; edge += 1)
       if (!parted?.of.edges.has(edge) && shows(edge)) trace(edges[edge] ?? []);
-  context.strokeStyle = colours.line;
+  const crowded = network.vertices.length > CROWD;
   context.globalAlpha = 0.55;
   context.lineWidth = 1;
-  context.stroke();
+  if (crowded) {
+    context.strokeStyle = colours.line;
+    context.stroke();
+  } else strokeSeen(context, colours.line, colours);
   context.globalAlpha = 1;
   // What is picked moves.
   if (parted?.which !== "left") drawPicked(context, network, picks, trace, colours);
-  const crowded = network.vertices.length > CROWD;
   const stamps = crowded ? new Stamps(context, picks, colours) : null;
   for (let place = placed.length - 1; place >= 0; place -= 1) {
     const each = placed[place] as Placed;
@@ -466,6 +468,8 @@ export function drawNetwork(
   context.globalAlpha = 1;
 }
 
+/** How much of the ground is seen on either side of a line, in pixels. */
+const RIND = 1;
 /** How large points are among many. */
 const LARGE = 0.75;
 /** Half of a stamp, in CSS pixels. */
@@ -530,14 +534,24 @@ export function drawHeld(
   region: readonly Triple[],
 ): void {
   const trace = tracer(context, see);
-  context.strokeStyle = colours.picked;
   context.setLineDash([5, 4]);
   context.lineWidth = 1.6;
   context.beginPath();
   trace(region, true);
   if (box) context.rect(box[0].x, box[0].y, box[1].x - box[0].x, box[1].y - box[0].y);
-  context.stroke();
+  strokeSeen(context, colours.picked, colours);
   context.setLineDash([]);
+}
+
+/** Along the path, with so much of the ground on either side that it is seen on a glaze of its own colour too. */
+function strokeSeen(context: CanvasRenderingContext2D, colour: string, colours: Colours): void {
+  const { lineWidth } = context;
+  context.lineWidth = lineWidth + 2 * RIND;
+  context.strokeStyle = colours.ground;
+  context.stroke();
+  context.lineWidth = lineWidth;
+  context.strokeStyle = colour;
+  context.stroke();
 }
 
 type Trace = (points: readonly Triple[], close?: boolean) => void;
@@ -562,7 +576,6 @@ function drawPicked(
   trace: Trace,
   colours: Colours,
 ): void {
-  context.strokeStyle = colours.picked;
   context.lineWidth = 2.4;
   context.beginPath();
   for (const patch of picks.patches) {
@@ -577,7 +590,7 @@ function drawPicked(
       trace(piecesOf(network, patch, along));
     }
   }
-  context.stroke();
+  strokeSeen(context, colours.picked, colours);
   context.setLineDash([5, 4]);
   context.lineWidth = 1.6;
   context.beginPath();
@@ -587,7 +600,7 @@ function drawPicked(
     const laid = unfolded(network, patch);
     for (const force of forces) trace(pointsAt(network, laid, rimOf(force, RIM)), true);
   }
-  context.stroke();
+  strokeSeen(context, colours.picked, colours);
   context.setLineDash([]);
 }
 
@@ -602,17 +615,18 @@ function drawItem(
     (item.kind === "vertex" && picks.vertices.has(item.index)) ||
     (item.kind === "patch" && picks.patches.has(item.index));
   context.globalAlpha = front || isPicked ? 1 : 0.35;
-  context.strokeStyle = isPicked || item.kind === "pivot" || item.kind === "crest" ? colours.picked : colours.line;
+  context.strokeStyle = isPicked ? colours.ground : item.kind === "crest" ? colours.picked : colours.line;
   context.fillStyle = isPicked ? colours.picked : colours.ground;
   context.lineWidth = 1.6;
   context.beginPath();
   const { x, y } = seen;
+  const side = isPicked ? 4.3 : 3.5;
   switch (item.kind) {
     case "vertex":
-      context.arc(x, y, large * (isPicked ? 5 : 3.6), 0, 2 * Math.PI);
+      context.arc(x, y, large * (isPicked ? 5.6 : 3.6), 0, 2 * Math.PI);
       break;
     case "patch":
-      context.rect(x - 3.5 * large, y - 3.5 * large, 7 * large, 7 * large);
+      context.rect(x - side * large, y - side * large, 2 * side * large, 2 * side * large);
       break;
     case "crest":
       context.moveTo(x, y - 7);
@@ -624,7 +638,7 @@ function drawItem(
     case "pivot":
       context.arc(x, y, 9, 0, 2 * Math.PI);
       context.lineWidth = 2.6;
-      context.stroke();
+      strokeSeen(context, colours.picked, colours);
       return;
   }
   context.fill();
@@ -641,7 +655,7 @@ export function touched(
   let best: { patch: number; u: number; v: number; depth: number } | null = null;
   for (const patch of network.patches.keys()) {
     const seen = Array.from({ length: (steps + 1) ** 2 }, (_, place) =>
-      see(pointOn(network, patch, (place % (steps + 1)) / steps, Math.floor(place / (steps + 1)) / steps)),
+      see(seenOn(network, patch, (place % (steps + 1)) / steps, Math.floor(place / (steps + 1)) / steps)),
     );
     for (let row = 0; row < steps; row += 1) {
       for (let column = 0; column < steps; column += 1) {
