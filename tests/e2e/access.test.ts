@@ -101,6 +101,30 @@ test.each<[string, VisitOptions]>([
   await check("a damaged link");
 });
 
+test.each(["light", "dark"] as const)(
+  "where a field is can be seen: its border stands out from what is round it, %s",
+  async (colorScheme) => {
+    const pot = await here.enter({ link: "#1/second-order", colorScheme });
+    await pot.fingerprint();
+    const ratios = await pot.page.getByRole("spinbutton").evaluateAll((fields) =>
+      fields.map((field) => {
+        const light = (colour: string) => {
+          const [r = 0, g = 0, b = 0] = (colour.match(/[\d.]+/g) ?? []).map((part) => {
+            const share = Number(part) / 255;
+            return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
+          });
+          return 0.2126 * r + 0.7152 * g + 0.0722 * b + 0.05;
+        };
+        const { borderTopColor, backgroundColor } = getComputedStyle(field);
+        const [border, ground] = [light(borderTopColor), light(backgroundColor)];
+        return Math.max(border, ground) / Math.min(border, ground);
+      }),
+    );
+    expect(ratios.length).toBeGreaterThan(5);
+    expect(Math.min(...ratios)).toBeGreaterThanOrEqual(3);
+  },
+);
+
 test("free boundary data pass axe-core as well", async () => {
   const pot = await here.enter();
   const before = await pot.fingerprint();

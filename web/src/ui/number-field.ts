@@ -332,10 +332,6 @@ export class PasuNumber extends LitElement {
         width: 7rem;
         text-align: right;
         font-variant-numeric: tabular-nums;
-        border-color: var(--line);
-      }
-      .field:hover {
-        border-color: var(--edge);
       }
       .unit {
         position: absolute;
