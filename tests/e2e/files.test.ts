@@ -217,6 +217,22 @@ test("a file that takes long is stopped, and the page goes on", async () => {
 });
 
 test.each([
+  ["pot.url", (link: string) => `[InternetShortcut]\r\nURL=${link}\r\n`],
+  [
+    "pot.webloc",
+    (link: string) =>
+      `<?xml version="1.0" encoding="UTF-8"?>\n<plist version="1.0"><dict><key>URL</key><string>${link.replaceAll("&", "&amp;")}</string></dict></plist>`,
+  ],
+])("the shortcut %s opens the pot that it leads to", async (name, text) => {
+  const pot = await here.enter({ link: "#1/second-order" });
+  const before = await pot.fingerprint();
+  await pot.dropFile(name, text(`${pot.url}#1/fourth-order?r0=.5&h1=2.5`));
+  await pot.fingerprintOtherThan(before);
+  expect(await pot.address()).toBe("#1/fourth-order?r0=.5&h1=2.5");
+  expect(await pot.page.getByRole("alert").count()).toBe(0);
+});
+
+test.each([
   ["drawing.svg", Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"/>'), "Pasu did not save it"],
   ["archive.3mf", Buffer.from("PK\u0003\u0004 nothing"), "Pasu did not save it"],
 ])("%s holds no design: that is said and the pot stays", async (name, bytes, why) => {

@@ -251,7 +251,9 @@ export class PasuApp extends DesignerElement {
         await this.surprise();
         return;
       case "open": {
-        const file = await pickFile(".json,.stl,.3mf,.glb,.obj,.zip,.ply,.step,.svg,application/json");
+        const file = await pickFile(
+          ".json,.txt,.url,.webloc,.stl,.3mf,.glb,.obj,.zip,.ply,.step,.svg,application/json",
+        );
         if (file) await this.openFiles([file]);
         return;
       }

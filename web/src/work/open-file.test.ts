@@ -62,6 +62,17 @@ test.each([
   expect(refusalWords(found.refusal)).toContain(`“${name}” cannot be opened: it holds no design`);
 });
 
+test.each([
+  ["little", true],
+  ["big", false],
+])("a document in UTF-16, the %s end first, is read as any other", async (_, little) => {
+  const text = '\ufeff{"pasu": 1}';
+  const bytes = new DataView(new ArrayBuffer(2 * text.length));
+  for (let i = 0; i < text.length; i += 1) bytes.setUint16(2 * i, text.charCodeAt(i), little);
+  for (const name of ["vase.json", "vase"])
+    expect(await readFile(new File([bytes], name), none)).toEqual({ text: '{"pasu": 1}', made: null });
+});
+
 test("a document does not say how it is to be made", async () => {
   const file = new File(['{"pasu": 1}'], "vase.json");
   expect(await readFile(file, none)).toEqual({ text: '{"pasu": 1}', made: null });

@@ -1,7 +1,9 @@
-/** What a file that was dropped or chosen stands for: the text of a design, or the link in something that Pasu made. */
+/** What a file that was dropped or chosen stands for: the text of a design, or the link in a shortcut or in something that Pasu made. */
 
 import type { Making, Refusal } from "../document/types";
 import type { MakerClient } from "../maker/client";
+import { decoded } from "./decoded";
+import { isShortcut, linkIn } from "./shortcut";
 
 /** Documents are read as text; the format's own limit is 32 MiB of JSON, and of a link 1 MiB. */
 const MAX_TEXT_BYTES = 32 * 1024 * 1024;
@@ -19,18 +21,22 @@ export type Found = { readonly text: string; readonly made: Making | null } | { 
 
 /** Null when something newer was opened meanwhile. */
 export async function readFile(file: File, maker: () => Promise<Pick<MakerClient, "ask"> | null>): Promise<Found> {
-  const document = isDocument(file.name, await file.slice(0, BEGINNING).text());
+  if (isShortcut(file.name) && file.size <= MAX_TEXT_BYTES) {
+    const text = linkIn(await bytesOf(file));
+    if (text !== null) return { text, made: null };
+  }
+  const document = isDocument(file.name, decoded(await bytesOf(file.slice(0, BEGINNING))));
   if (file.size > (document ? MAX_TEXT_BYTES : MAX_MADE_BYTES)) {
     return refused("file-too-large", file.name);
   }
   if (document) {
-    const text = await file.text();
+    const text = decoded(await bytesOf(file));
     // JSON of another program has not one field too few: it is no design.
     return OBJECT.test(text) && !text.includes('"pasu"') ? refused("no-design", file.name) : { text, made: null };
   }
   const reader = await maker();
   if (!reader) return null;
-  const bytes = new Uint8Array(await file.arrayBuffer());
+  const bytes = await bytesOf(file);
   const outcome = await reader.ask({ kind: "open", bytes });
   switch (outcome.state) {
     case "superseded":
@@ -47,6 +53,10 @@ export async function readFile(file: File, maker: () => Promise<Pick<MakerClient
 /** Whether a file is a document or a link, which the solver reads and whose faults it names. */
 export function isDocument(name: string, beginning: string): boolean {
   return /\.(json|txt)$/i.test(name) || /^\ufeff?\s*(\{|#?\d+[~/]|https?:)/.test(beginning);
+}
+
+async function bytesOf(file: Blob): Promise<Uint8Array<ArrayBuffer>> {
+  return new Uint8Array(await file.arrayBuffer());
 }
 
 function refused(code: string, name: string): Found {
