@@ -16,6 +16,8 @@ const DRAWING =
 /** What is said before anything is opened: the rest of the words comes with what says it. */
 const WORDS =
   /[\\/]src[\\/](language|number|words[\\/](english[\\/](controls|description|page|parameters|quantities|refusals)|description|languages|parameters|parts|quantities|refusals|typed))\.ts/;
+/** Symbols of equations are written with it by the panel and on paper: they are no file of their own. */
+const LIT = /[\\/]node_modules[\\/](lit|lit-html|lit-element|@lit)[\\/]|[\\/]src[\\/]ui[\\/]symbol\.ts/;
 
 export default defineConfig({
   base: "./",
@@ -45,7 +47,7 @@ export default defineConfig({
             // What draws, in one piece: the parts that are fetched later share it.
             { name: "tableau", test: DRAWING },
             { name: "words", test: WORDS },
-            { name: "lit", test: /[\\/]node_modules[\\/](lit|lit-html|lit-element|@lit)[\\/]/ },
+            { name: "lit", test: LIT },
           ],
         },
       },

@@ -8,7 +8,7 @@ import { startWorker } from "./solver/start";
 import { browserShelf, tabShelf } from "./state/storage";
 import { VIEW_KEYS } from "./state/view-keys";
 import { pictured } from "./sw/pictured";
-import { registerOffline } from "./sw/register";
+import { onNewVersion } from "./sw/renewed";
 import { choose } from "./words/languages";
 import { Designer } from "./work/designer";
 import { saveBlob } from "./work/files";
@@ -45,7 +45,11 @@ function start(): void {
   document.body.append(app);
   void begin(designer, app);
   window.addEventListener("hashchange", () => void designer.opening.addressChanged());
-  registerOffline(() => designer.notices.announceNewVersion(), pictured(app));
+  onNewVersion(() => designer.notices.announceNewVersion());
+  const first = pictured(app);
+  // Where these cannot be fetched the page works all the same: it is printed as it stands.
+  first.then(() => import("./sw/register")).then(({ registerOffline }) => registerOffline(), ignored);
+  first.then(() => import("./app/printed")).then(({ printed }) => printed(app, address), ignored);
 }
 
 async function begin({ opening }: Designer, app: PasuApp): Promise<void> {
@@ -63,3 +67,5 @@ function address(): string {
   for (const key of ["lang", ...VIEW_KEYS]) if (here.searchParams.has(key)) here.searchParams.delete(key);
   return here.href.replace(/#.*$/s, "");
 }
+
+function ignored(): void {}

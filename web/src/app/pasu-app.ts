@@ -65,7 +65,7 @@ export class PasuApp extends DesignerElement {
   @state() private viewed = "";
   @state() private dropping = false;
   @state() private spoken = "";
-  @query("pasu-stage") private readonly stage!: PasuStage;
+  @query("pasu-stage") readonly stage!: PasuStage;
   @query("pasu-panel") private readonly panel!: PasuPanel;
   private leave: readonly (() => void)[] = [];
   private surprises: Surprises | null = null;
@@ -73,7 +73,9 @@ export class PasuApp extends DesignerElement {
   override connectedCallback(): void {
     super.connectedCallback();
     const { designer } = this;
+    const listening = new AbortController();
     this.leave = [
+      () => listening.abort(),
       outward(designer, this),
       fetchMadeWhenWanted(designer),
       effect(() => {
@@ -86,21 +88,17 @@ export class PasuApp extends DesignerElement {
         return () => clearTimeout(timer ?? undefined);
       }),
     ];
-    window.addEventListener("keydown", this.key);
-    window.addEventListener("dragover", this.dragOver);
-    window.addEventListener("dragleave", this.dragLeave);
-    window.addEventListener("drop", this.drop);
-    window.addEventListener("paste", this.paste);
+    const until = { signal: listening.signal };
+    window.addEventListener("keydown", this.key, until);
+    window.addEventListener("dragover", this.dragOver, until);
+    window.addEventListener("dragleave", this.dragLeave, until);
+    window.addEventListener("drop", this.drop, until);
+    window.addEventListener("paste", this.paste, until);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     for (const leave of this.leave) leave();
-    window.removeEventListener("keydown", this.key);
-    window.removeEventListener("dragover", this.dragOver);
-    window.removeEventListener("dragleave", this.dragLeave);
-    window.removeEventListener("drop", this.drop);
-    window.removeEventListener("paste", this.paste);
   }
 
   override render() {

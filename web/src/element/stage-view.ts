@@ -117,7 +117,7 @@ export class PasuStage extends DesignerElement {
     void this.holder.open();
   }
 
-  private get stage(): Stage | null {
+  get stage(): Stage | null {
     return this.holder.stage;
   }
 

@@ -469,8 +469,8 @@ export class Stage {
   }
 
   /** The same at once, for what cannot wait (a page about to be printed); null while the graphics context is lost. */
-  still(width: number, height: number): HTMLCanvasElement | null {
-    return this.device.lost ? null : this.photograph(width, height, false);
+  still(width: number, height: number, transparent = false): HTMLCanvasElement | null {
+    return this.device.lost ? null : this.photograph(width, height, transparent);
   }
 
   /** Resolves when nothing more is to be drawn: at once at rest, and while the stage has no size. */

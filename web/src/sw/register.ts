@@ -1,28 +1,21 @@
-// The page's side of the service worker (worker.ts): install it, and hear when a new version is ready.
+// The page's side of the service worker (worker.ts): install it, once the first picture stands.
 
 /** A page left open looks for a new version when it is looked at again, at most this often. */
 const CHECK_EVERY_MS = 60 * 60 * 1000;
 
 /**
- * Makes the site work without a network from the next visit on, and mends its copy when that has lost something. `onNewVersion` is called when a newer version than the
- * one on the screen has been installed; the next load of the page shows it, so all the page has to do is say so. `pictured` resolves once what the page is opened for is on the
+ * Makes the site work without a network from the next visit on, and mends its copy when that has lost something. To be called once what the page is opened for is on the
  * screen: the copy for later must not compete with that.
  *
  * Does nothing on the development server, and nothing where the browser or the address (plain http) has no service
  * workers: the page works all the same, with a network.
  */
-export function registerOffline(onNewVersion: () => void, pictured: Promise<void>): void {
+export async function registerOffline(): Promise<void> {
   if (!import.meta.env.PROD || !("serviceWorker" in navigator)) return;
-  const { serviceWorker } = navigator;
-  serviceWorker.addEventListener("message", (event: MessageEvent<unknown>) => {
-    if (isNewVersion(event.data)) onNewVersion();
-  });
-  void pictured.then(() => install(serviceWorker));
-}
-
-async function install(serviceWorker: ServiceWorkerContainer): Promise<void> {
   try {
-    const registration = await serviceWorker.register(new URL("sw.js", document.baseURI), { updateViaCache: "none" });
+    const registration = await navigator.serviceWorker.register(new URL("sw.js", document.baseURI), {
+      updateViaCache: "none",
+    });
     registration.active?.postMessage({ type: "pasu:idle" });
     let checked = Date.now();
     document.addEventListener("visibilitychange", () => {
@@ -35,8 +28,4 @@ async function install(serviceWorker: ServiceWorkerContainer): Promise<void> {
   } catch {
     // Private windows and locked-down browsers refuse service workers; the page works without.
   }
-}
-
-function isNewVersion(data: unknown): boolean {
-  return typeof data === "object" && data !== null && "type" in data && data.type === "pasu:new-version";
 }

@@ -35,6 +35,7 @@ import type { parts } from "./english/parts";
 import type { picture } from "./english/picture";
 import type { placing } from "./english/placing";
 import type { pot } from "./english/pot";
+import type { printing } from "./english/printing";
 import type { profile } from "./english/profile";
 import type { pull } from "./english/pull";
 import type { quantities } from "./english/quantities";
@@ -82,6 +83,7 @@ export interface Catalogue {
   readonly picture: typeof picture;
   readonly placing: typeof placing;
   readonly pot: typeof pot;
+  readonly printing: typeof printing;
   readonly profile: typeof profile;
   readonly pull: typeof pull;
   readonly quantities: typeof quantities;

@@ -1,0 +1,17 @@
+/** What stands on the paper when the page is printed, besides what it has in common with the panels. */
+
+import { grouped, phrases, plural } from "../../language";
+
+export const printing = phrases("printing", {
+  /** A part and what kind of shape it is. */
+  part: (name: string, kind: string) => `${name}: ${kind}`,
+  wall: "Wall, thickness",
+  floor: "Floor, thickness",
+  /** Parts whose numbers are left out. */
+  more: (count: number) => plural(count, { one: "And one more part.", other: `And ${grouped(count)} more parts.` }),
+  link: "Link",
+  /** Above the beginning of it. */
+  longLink: (letters: number) =>
+    `It has ${grouped(letters)} letters, too many to be typed: these are the first. Whoever has no copy of it needs the file of the design.`,
+  noLink: "This design has no link. Whoever is to have it needs its file.",
+});
