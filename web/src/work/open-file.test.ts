@@ -73,6 +73,15 @@ test.each([
     expect(await readFile(new File([bytes], name), none)).toEqual({ text: '{"pasu": 1}', made: null });
 });
 
+test.each(["pots", "pots.json", "pot.url"])("a folder called %s is told to be unreadable", async (name) => {
+  const folder = new File([], name);
+  const arrayBuffer = () => Promise.reject(new DOMException("it is a folder", "NotFoundError"));
+  Object.assign(folder, { arrayBuffer, slice: () => folder });
+  const found = await readFile(folder, none);
+  if (found === null || !("refusal" in found)) throw new Error("opened");
+  expect(refusalWords(found.refusal)).toContain(`“${name}” cannot be read: it is a folder`);
+});
+
 test("a document does not say how it is to be made", async () => {
   const file = new File(['{"pasu": 1}'], "vase.json");
   expect(await readFile(file, none)).toEqual({ text: '{"pasu": 1}', made: null });

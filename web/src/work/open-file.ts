@@ -1,7 +1,9 @@
 /** What a file that was dropped or chosen stands for: the text of a design, or the link in a shortcut or in something that Pasu made. */
 
 import type { Making, Refusal } from "../document/types";
+import { isolated } from "../language";
 import type { MakerClient } from "../maker/client";
+import { opening } from "../words/english/opening";
 import { decoded } from "./decoded";
 import { isShortcut, linkIn } from "./shortcut";
 
@@ -21,6 +23,16 @@ export type Found = { readonly text: string; readonly made: Making | null } | { 
 
 /** Null when something newer was opened meanwhile. */
 export async function readFile(file: File, maker: () => Promise<Pick<MakerClient, "ask"> | null>): Promise<Found> {
+  try {
+    return await read(file, maker);
+  } catch (error) {
+    // A folder, or what was moved away since it was chosen: the browser names it and gives nothing of it.
+    if (!(error instanceof DOMException)) throw error;
+    return { refusal: { code: "file-unreadable", path: "", message: opening.unreadable(isolated(file.name)) } };
+  }
+}
+
+async function read(file: File, maker: () => Promise<Pick<MakerClient, "ask"> | null>): Promise<Found> {
   if (isShortcut(file.name) && file.size <= MAX_TEXT_BYTES) {
     const text = linkIn(await bytesOf(file));
     if (text !== null) return { text, made: null };

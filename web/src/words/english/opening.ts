@@ -6,5 +6,7 @@ export const opening = phrases("opening", {
   opening: (file: string, megabytes: string) => `Opening ${file} (${megabytes} MB)…`,
   stays: "What was there stays until then.",
   stop: "Stop",
+  unreadable: (file: string) =>
+    `“${file}” cannot be read: it is a folder, has been moved, or may not be read. Open the files in a folder themselves.`,
   stopped: (file: string) => `${file} was not opened.`,
 });
