@@ -112,6 +112,22 @@ test("what was deleted can be taken back when the shelf is closed", async () => 
   expect(await toast.getByText("There are two").count()).toBe(0);
 });
 
+test("what can be done with a saved design is within its card on the narrowest phone", async () => {
+  const pot = await here.enter({ link: "#1/fourth-order", ...PHONE, viewport: { width: 320, height: 640 } });
+  await pot.fingerprint();
+  await pot.command("My designs");
+  await pot.button("Save to the shelf").click();
+  const card = pot.page.locator("pasu-shelf li");
+  await card.waitFor();
+  const out = await card.evaluate((li) => {
+    const { left, right } = li.getBoundingClientRect();
+    return [...li.querySelectorAll("button")]
+      .map((button) => button.getBoundingClientRect())
+      .filter((box) => box.left < left || box.right > right).length;
+  });
+  expect(out).toBe(0);
+});
+
 test("where nothing can be stored the shelf says so", async () => {
   const before = async ({ context }: Visit) => {
     await context.addInitScript(() => {

@@ -281,6 +281,7 @@ export class PasuShelf extends DesignerElement {
       }
       .acts {
         display: flex;
+        flex-wrap: wrap;
         justify-content: flex-end;
         margin-top: auto;
         padding: 2px 8px 6px;
