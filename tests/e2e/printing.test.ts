@@ -70,7 +70,28 @@ test("what is known of a pot is printed with it, and a design of many parts on f
   const sheet = pot.page.locator("pasu-printed article");
   expect(await sheet.innerText()).toMatch(/To the brim\s+[\d.]+\sml/);
   await printed(pot);
-  const before = await pot.fingerprint();
+  const made = await pot.fingerprint();
+  await pot.dropFile(
+    "rings.json",
+    JSON.stringify({
+      pasu: 1,
+      parts: [
+        {
+          shape: {
+            kind: "rings",
+            rings: [
+              { u: 0, r: { mean: 4 }, z: { mean: 0 } },
+              { u: 1, r: { mean: 6 }, z: { mean: 9 } },
+            ],
+          },
+        },
+      ],
+    }),
+  );
+  const before = await pot.fingerprintOtherThan(made);
+  await print(pot);
+  expect(await sheet.innerText()).toMatch(/Ring 2\s+radius 6\scm, height 9\scm/);
+  await printed(pot);
   const part = (place: number) => ({
     shape: { kind: "second-order", r: [1, 0.1, 0.6, 0.06 + place / 1e7], height: 2 },
     place: { shift: [3 * place, 0, 0] },

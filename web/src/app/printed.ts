@@ -3,7 +3,7 @@
 import { type CSSResult, css, html, nothing, render } from "lit";
 import { unitOf } from "../document/look";
 import { familyOf, fieldValue } from "../document/schema";
-import type { Design, Unit } from "../document/types";
+import type { Design, Shape, Unit } from "../document/types";
 import { formatNumber } from "../number";
 import { symbol } from "../ui/symbol";
 import { page } from "../words/english/page";
@@ -48,6 +48,7 @@ const PAPER = css`
 
 const SHEET = css`
   :host {
+    display: block;
     color: #000;
     font-size: 10pt;
     line-height: 1.4;
@@ -74,6 +75,7 @@ const SHEET = css`
     object-fit: contain;
   }
   .numbers {
+    margin-top: 5mm;
     columns: 2;
     column-gap: 8mm;
   }
@@ -181,25 +183,30 @@ function copied(still: HTMLCanvasElement | null): HTMLCanvasElement | null {
   return copy;
 }
 
-/** Those of a named family one by one; of any other shape there are too many, and they stand in the file. */
+/** Those of a named family one by one, and where the rings of a pot are; of any other shape there are too many, and they stand in the file. */
 function numbers({ shape, wall }: Design["parts"][number], name: string | null, unit: Unit) {
-  const family = familyOf(shape.kind);
-  const lines = family?.fields.map((field) => {
-    const value = formatNumber(fieldValue(shape, field));
-    const { name: called } = fieldWords(family.kind, field.key);
-    return line(
-      html`${called} <span class="symbol">${symbol(field.symbol)}</span>`,
-      field.dimension === "length" ? lengthWords(fieldValue(shape, field), unit, DIGITS) : value,
-    );
-  });
-  const clay = wall && [
-    line(printing.wall, lengthWords(wall.thickness, unit, DIGITS)),
-    line(printing.floor, lengthWords(wall.base, unit, DIGITS)),
-  ];
+  const length = (value: number) => lengthWords(value, unit, DIGITS);
+  const clay = wall ? [line(printing.wall, length(wall.thickness)), line(printing.floor, length(wall.base))] : [];
   return html`<section>
     <h3>${name === null ? parameters.kinds[shape.kind] : printing.part(name, parameters.kinds[shape.kind])}</h3>
-    <dl>${lines ?? nothing}${clay ?? nothing}</dl>
+    <dl>${ownNumbers(shape, length)}${clay}</dl>
   </section>`;
+}
+
+function ownNumbers(shape: Shape, length: (value: number) => string) {
+  if (shape.kind === "rings") {
+    return shape.rings.map(({ r, z }, place) =>
+      line(printing.ring(place + 1), printing.radiusAt(length(r.mean ?? 0), length(z.mean ?? 0))),
+    );
+  }
+  const family = familyOf(shape.kind);
+  return family?.fields.map((field) => {
+    const value = fieldValue(shape, field);
+    return line(
+      html`${fieldWords(family.kind, field.key).name} <span class="symbol">${symbol(field.symbol)}</span>`,
+      field.dimension === "length" ? length(value) : formatNumber(value),
+    );
+  });
 }
 
 /** What is known by now. */

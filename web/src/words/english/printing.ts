@@ -5,6 +5,10 @@ import { grouped, phrases, plural } from "../../language";
 export const printing = phrases("printing", {
   /** A part and what kind of shape it is. */
   part: (name: string, kind: string) => `${name}: ${kind}`,
+  /** From the foot up. */
+  ring: (number: number) => `Ring ${number}`,
+  /** Means, where it has waves. */
+  radiusAt: (radius: string, height: string) => `radius ${radius}, height ${height}`,
   wall: "Wall, thickness",
   floor: "Floor, thickness",
   /** Parts whose numbers are left out. */
