@@ -470,6 +470,23 @@ test("the theme is the page's, unless the element says otherwise", async () => {
   }
 });
 
+test("in print the picture keeps its form where the element has another on paper", async () => {
+  const guest = await here.open(page('<pasu-pot src="#1/second-order" alt="A vase"></pasu-pot>'));
+  await loaded(guest);
+  await guest.page.locator("pasu-pot").evaluate((pot) => Object.assign(pot.style, { width: "90vw", height: "90vh" }));
+  await guest.page.setViewportSize({ width: 1000, height: 400 });
+  await guest.page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  await guest.page.setViewportSize({ width: 400, height: 800 });
+  await guest.page.emulateMedia({ media: "print" });
+  const drawn = await guest.page.locator("pasu-pot .printed").evaluate((canvas: HTMLCanvasElement) => ({
+    own: canvas.width / canvas.height,
+    box: canvas.clientWidth / canvas.clientHeight,
+    fit: getComputedStyle(canvas).objectFit,
+  }));
+  expect(drawn.own).toBeGreaterThan(2 * drawn.box);
+  expect(drawn.fit).toBe("contain");
+});
+
 test("in print there is a still picture", async () => {
   const guest = await here.open(page('<pasu-pot src="#1/second-order" alt="A vase"></pasu-pot>'));
   await loaded(guest);

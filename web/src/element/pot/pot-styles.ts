@@ -154,8 +154,10 @@ export const potStyles = css`
     max-height: 46%;
     overflow: auto;
   }
+  /* The element may have another form on paper than it had on the screen. */
   .printed {
     display: none;
+    object-fit: contain;
   }
   @media print {
     .printed {
