@@ -117,6 +117,24 @@ test("what is printed is said in the language of the page", async () => {
   await printed(pot);
 });
 
+test("a link is told when it is known, and not said to be missing before", async () => {
+  const pot = await here.enter({ link: "#1/fourth-order" });
+  await pot.fingerprint();
+  await print(pot);
+  await printed(pot);
+  const links: string[] = [];
+  const note = async () => {
+    await print(pot);
+    links.push(await pot.page.locator("pasu-printed article").innerText());
+    await printed(pot);
+  };
+  await pot.drag("Rim radius", 0.8, { held: note });
+  await pot.page.waitForFunction(() => location.hash.includes("?"));
+  await note();
+  expect(links[0]).toContain("still being changed");
+  expect(links[1]).toContain(await pot.address());
+});
+
 test("a browser that prints says so beforehand", async () => {
   const pot = await here.enter({ link: "#1/fourth-order" });
   await pot.fingerprint();

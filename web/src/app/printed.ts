@@ -232,7 +232,9 @@ function line(name: unknown, value: string) {
 
 function link({ designer }: PasuApp, design: Design, address: string) {
   const { settled } = designer.surface;
-  const fragment = settled?.design === design ? settled.solved.link : "";
+  // What a hand is still at has a link when it is at rest.
+  if (settled?.design !== design) return html`<p>${printing.linkUnknown}</p>`;
+  const fragment = settled.solved.link;
   if (fragment === "") return html`<p>${printing.noLink}</p>`;
   const whole = `${address}#${fragment}`;
   if (whole.length <= MOST_LETTERS) return html`<p><a href=${whole}>${whole}</a></p>`;

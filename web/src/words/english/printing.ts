@@ -17,5 +17,6 @@ export const printing = phrases("printing", {
   /** Above the beginning of it. */
   longLink: (letters: number) =>
     `It has ${grouped(letters)} letters, too many to be typed: these are the first. Whoever has no copy of it needs the file of the design.`,
-  noLink: "This design has no link. Whoever is to have it needs its file.",
+  linkUnknown: "The pot was still being changed when this was printed.",
+  noLink: "This design is too large for a link. Whoever is to have it needs its file.",
 });
