@@ -163,8 +163,14 @@ impl Face<'_> {
     }
 
     fn is_beside(&self, segment: [Point; 2]) -> bool {
-        let (from, to) = (self.volume(segment[0]), self.volume(segment[1]));
+        let [from, to] = segment.map(|point| self.volume(point));
         (from > 0.0 && to > 0.0) || (from < 0.0 && to < 0.0)
+    }
+
+    /// Whether all of some points are on one side of it; no, where only exact arithmetic tells.
+    fn is_plainly_beside(&self, points: &[Point]) -> bool {
+        let side = |point: &Point| self.plane.volume(self.at[0], *point).unwrap_or_default();
+        points.iter().all(|point| side(point) > 0.0) || points.iter().all(|point| side(point) < 0.0)
     }
 }
 
@@ -184,6 +190,17 @@ fn cross(p: &[u32; 3], q: &[u32; 3], of_p: &Face, of_q: &Face) -> bool {
         [(i, j)] => {
             let far = |at: &[Point; 3], k: usize| [at[(k + 1) % 3], at[(k + 2) % 3]];
             let (far_p, far_q) = (far(at_p, i), far(at_q, j));
+            if of_q.is_plainly_beside(&far_p) || of_p.is_plainly_beside(&far_q) {
+                return false;
+            }
+            let axes = of_p.plane.axes();
+            let is_parted = |[one, other]: [Point; 2], beyond: [Point; 2]| {
+                let vertex = at_p[i];
+                parts([vertex, one], other, &beyond, axes) || parts([vertex, other], one, &beyond, axes)
+            };
+            if is_parted(far_p, far_q) || is_parted(far_q, far_p) {
+                return false;
+            }
             // What they have in common begins at the vertex, is convex, and so reaches the far edge of one of them if it is more.
             !of_q.is_beside(far_p) && !of_p.is_beside(far_q) && (meets(far_p, of_q) || meets(far_q, of_p))
         }
@@ -201,8 +218,29 @@ fn cross(p: &[u32; 3], q: &[u32; 3], of_p: &Face, of_q: &Face) -> bool {
     }
 }
 
+/// Whether the line through two corners of a triangle, seen along an axis, has the third on it or on one side, and all of some other points on the other side and none on it.
+///
+/// A triangle with these corners is apart from that one; with these and one on the line it shares that one point with it, if it is one of the two. What lies side by side in one plane is told so without asking for the plane, which takes
+/// exact arithmetic: the flat sides of a body are fans of hundreds of triangles, each in the box of many others.
+fn parts([from, to]: [Point; 2], own: Point, others: &[Point], axes: (usize, usize)) -> bool {
+    let side = |point: &Point| area(from, to, *point, axes);
+    let are_left = others.iter().all(|other| side(other) > 0.0);
+    (are_left || others.iter().all(|other| side(other) < 0.0)) && side(&own) * if are_left { 1.0 } else { -1.0 } <= 0.0
+}
+
 /// Whether two triangles without a common vertex have a point in common.
 fn are_touching(p: &Face, q: &Face) -> bool {
+    if q.is_plainly_beside(&p.at) || p.is_plainly_beside(&q.at) {
+        return false;
+    }
+    let axes = p.plane.axes();
+    let is_parted = |one: &Face, other: &Face| {
+        let [a, b, c] = one.at;
+        [([a, b], c), ([b, c], a), ([c, a], b)].into_iter().any(|(edge, own)| parts(edge, own, &other.at, axes))
+    };
+    if is_parted(p, q) || is_parted(q, p) {
+        return false;
+    }
     for (one, other) in [(p, q), (q, p)] {
         let [a, b, c] = one.at;
         let first = other.volume(a);
@@ -363,6 +401,50 @@ mod tests {
         assert!(!crosses(T, [o, [-1.0, 1.0, 0.0], [-1.0, 2.0, 0.0]]));
         assert!(crosses(T, [o, [2.0, 0.0, 0.0], [2.0, -2.0, 0.0]]));
         assert!(crosses(T, [o, [2.0, 0.0, 0.0], [2.0, 0.0, -2.0]]));
+    }
+
+    /// As [`cross`] for triangles with one common vertex and for those with none, by the planes of the two alone.
+    fn has_more_in_common(p: &Face, q: &Face, n_shared: usize) -> bool {
+        let edges = |of: &Face| [0, 1, 2].map(|i| [of.at[i], of.at[(i + 1) % 3]]);
+        match n_shared {
+            0 => edges(p).iter().any(|edge| meets(*edge, q)) || edges(q).iter().any(|edge| meets(*edge, p)),
+            _ => meets([p.at[1], p.at[2]], q) || meets([q.at[1], q.at[2]], p),
+        }
+    }
+
+    #[test]
+    fn what_a_line_parts_has_nothing_else_in_common() {
+        // Corners on a coarse grid: many lie in one plane, on one line, or in one place.
+        let at = |number: u32| [0, 1, 2].map(|axis| (number / 3u32.pow(axis) % 3) as f32);
+        let mut state = 88_172_645_463_325_252u64;
+        let mut random = |n: u64| {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state >> 33) % n
+        };
+        let mut n_found = [[0usize; 2]; 2];
+        for round in 0..200_000 {
+            let n_places = if random(2) == 0 { 9 } else { 27 };
+            let mut corners = [(); 6].map(|()| random(n_places) as u32);
+            let n_shared = round % 2;
+            if n_shared == 1 {
+                corners[3] = corners[0];
+            }
+            let n_same = (0..6).flat_map(|i| (0..i).map(move |j| (i, j))).filter(|(i, j)| corners[*i] == corners[*j]);
+            let [p, q] = [[0, 1, 2], [3, 4, 5]].map(|of| of.map(|i: usize| at(corners[i])));
+            let has_area = |t: &[Point; 3]| area(t[0], t[1], t[2], plane(t)) != 0.0;
+            if n_same.count() != n_shared || !has_area(&p) || !has_area(&q) {
+                continue;
+            }
+            let planes = [p, q].map(|at| Plane::of(&at));
+            let [of_p, of_q] = [(p, &planes[0]), (q, &planes[1])].map(|(at, plane)| Face { at, plane });
+            let [one, other] = [[0, 1, 2], [3, 4, 5]].map(|of| of.map(|i: usize| corners[i]));
+            let found = cross(&one, &other, &of_p, &of_q);
+            assert_eq!(found, has_more_in_common(&of_p, &of_q, n_shared), "{p:?} {q:?}");
+            n_found[n_shared][usize::from(found)] += 1;
+        }
+        assert!(n_found.iter().flatten().all(|n| *n > 10_000), "{n_found:?}");
     }
 
     #[test]

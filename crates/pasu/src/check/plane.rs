@@ -28,6 +28,18 @@ impl Plane {
         let volume = -(x * to[0] + y * to[1] + z * to[2]);
         (volume.abs() > self.rounding * largest(to)).then_some(volume)
     }
+
+    /// The two axes between which it looks largest, as far as rounding tells.
+    pub(super) fn axes(&self) -> (usize, usize) {
+        let [x, y, z] = self.normal.map(f64::abs);
+        if z >= x && z >= y {
+            (0, 1)
+        } else if x >= y {
+            (1, 2)
+        } else {
+            (2, 0)
+        }
+    }
 }
 
 fn from(a: Point, b: Point) -> [f64; 3] {
