@@ -130,9 +130,10 @@ impl Paper {
                 ));
                 if layer == Layer::Text {
                     text.push_str("<use href=\"#marks\"/>\n");
+                    // Last: of a long title in wide letters the end may be beyond the paper, and nothing else.
                     let title: String = notes.title.chars().take(LETTERS).collect();
                     let told = format!(
-                        "{title}: sheet {} of {}, {}; lay cross on cross",
+                        "Sheet {} of {}, {}; lay cross on cross: {title}",
                         sheet + 1,
                         pieces.len(),
                         place(*row, *column)

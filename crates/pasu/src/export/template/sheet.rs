@@ -23,6 +23,8 @@ const STRIP: f64 = 20.0;
 const WORD: f64 = 14.0;
 /// Room for a fraction of the way round the strip.
 const FRACTION: f64 = 7.0;
+/// How far from the strip that is written.
+const WRITTEN: f64 = 5.0;
 /// How far lines of planes go beyond the rim.
 const BEYOND: f64 = 4.0;
 
@@ -214,23 +216,27 @@ fn unrolled(drawing: &mut Drawing, ruler: &Ruler, at: DVec2, index: usize, stand
         drawing.text(at + DVec2::new(0.0, LINE + TEXT), TEXT, Anchor::Start, &text);
         top.y += LINE;
     }
-    let (low, high) = extent(upper.iter().chain(&lower).copied());
+    let (low, mut high) = extent(upper.iter().chain(&lower).copied());
+    let n = rim.len();
+    let quarters = [0, 1, 2, 3, 4].map(|quarter| (quarter, n * quarter / 4));
+    // A strip that goes nearly round has some of its fractions above it.
+    for (_, i) in quarters {
+        high.y = high.y.max((lower[i] + WRITTEN * (lower[i] - upper[i]).normalize_or(-DVec2::Y)).y + TEXT);
+    }
     let place = |p: DVec2| DVec2::new(top.x + p.x - low.x, top.y + high.y - p.y);
     let (left, right) = (place(DVec2::new(low.x, high.y)), place(DVec2::new(high.x, low.y)));
     drawing.grid(ruler, DVec2::new(left.x, right.y), left, right);
     let outline: Vec<DVec2> = upper.iter().chain(lower.iter().rev()).map(|p| place(*p)).collect();
     drawing.closed_line(&format!("strip-{}", index + 1), &outline);
-    let n = rim.len();
-    for quarter in 0..=4u8 {
-        let i = n * usize::from(quarter) / 4;
+    for (quarter, i) in quarters {
         let edge = place(lower[i]);
         let down = (edge - place(upper[i])).normalize_or(DVec2::Y);
         drawing.line(Pen::Mark, edge, edge + 2.5 * down);
         // On a small strip every other one has room, or the first alone.
-        let every = [1, 2, 4].into_iter().find(|every| round * f64::from(*every) >= 4.0 * FRACTION).unwrap_or(5);
-        if quarter % every == 0 {
-            let text = edge + 5.0 * down + DVec2::new(0.0, 1.0);
-            drawing.text(text, TEXT, Anchor::Middle, ["0", "1/4", "1/2", "3/4", "1"][usize::from(quarter)]);
+        let every = [1u8, 2, 4].into_iter().find(|every| round * f64::from(*every) >= 4.0 * FRACTION).unwrap_or(5);
+        if quarter % usize::from(every) == 0 {
+            let text = edge + WRITTEN * down + DVec2::new(0.0, 1.0);
+            drawing.text(text, TEXT, Anchor::Middle, ["0", "1/4", "1/2", "3/4", "1"][quarter]);
         }
     }
     DVec2::new(RULER + high.x - low.x + 6.0, right.y + 8.0 - at.y)
