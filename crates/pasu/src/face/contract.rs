@@ -71,6 +71,11 @@ pub trait Face: Sealed + Send + Sync {
         false
     }
 
+    /// Of what goes to an end and back the face that it passes twice, for integrals, which would count everything twice; where that was moved it stands as before.
+    fn passed_once(&self) -> Option<&dyn Face> {
+        None
+    }
+
     /// Whether the whole face lies in one plane across the axis of the pot, in which it may fold over itself as a map.
     ///
     /// ```

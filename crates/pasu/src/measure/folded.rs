@@ -30,4 +30,8 @@ impl Face for Folded {
     fn goes_back(&self, v: f64) -> bool {
         turn::within(v) > PI
     }
+
+    fn passed_once(&self) -> Option<&dyn Face> {
+        Some(&self.0)
+    }
 }

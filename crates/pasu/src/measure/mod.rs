@@ -13,6 +13,7 @@ mod filled;
 mod finite;
 mod folded;
 mod ground;
+mod hull_area;
 mod integral;
 mod known;
 mod loads;

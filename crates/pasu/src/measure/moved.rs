@@ -55,6 +55,10 @@ impl Face for Moved<'_> {
         self.face.goes_back(v)
     }
 
+    fn passed_once(&self) -> Option<&dyn Face> {
+        self.face.passed_once()
+    }
+
     fn is_level(&self) -> bool {
         self.face.is_level()
     }

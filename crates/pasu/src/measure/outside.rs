@@ -382,11 +382,12 @@ impl<'a> Outside<'a> {
             if grid.points().iter().map(of).fold(f64::MIN, f64::max) < near {
                 continue;
             }
-            let edges = touching::level_ends(*face, grid, level, 1e-9 * self.size);
+            let point = 1e-9 * self.size;
+            let edges = touching::level_ends(*face, grid, level, point);
             let is_edge = |a: f64| edges.iter().any(|edge| edge.is_end(a));
             let (mut walk, (step_a, step_v)) = (face.walk(), grid.steps());
             if edges.is_empty()
-                && let Some(crest) = touching::level_crest(*face, grid, level, -near)
+                && let Some(crest) = touching::level_crest(*face, grid, level, -near, point)
             {
                 lowest.edges.push(crest);
                 continue;
@@ -487,7 +488,7 @@ pub(crate) fn hull(points: &[DVec2]) -> Vec<DVec2> {
 }
 
 /// The numbers of the points on the convex hull (A. M. Andrew, 1979).
-fn hull_of(points: &[DVec2]) -> Vec<usize> {
+pub(super) fn hull_of(points: &[DVec2]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&i, &j| {
         let (p, q) = (points[i], points[j]);

@@ -5,13 +5,14 @@ use core::f64::consts::TAU;
 use glam::{DVec2, DVec3};
 
 use super::accuracy::Accuracy;
+use super::hull_area::hull_area;
 use super::moments::area;
-use super::outside::{Lowest, Outside, degrees, hull, polygon_area};
+use super::outside::{Lowest, Outside, degrees, hull};
 use super::quantity::Quantity;
 use super::touching::Touching;
 use crate::answer::answers;
 use crate::face::Face;
-use crate::numeric::{brent, minima, romberg};
+use crate::numeric::{brent, minima};
 
 /// Points of a pot that are less than this part of its size above the lowest one stand on the table too.
 const STANDING: f64 = 1e-6;
@@ -155,7 +156,7 @@ impl<'a> Standing<'a> {
         standing
     }
 
-    /// Leaves out curves that are plainly within the hull, and those that are there already, as where two faces meet.
+    /// Leaves out curves that are plainly within the hull, and those that are there already, as where two faces meet, which may pass them either way.
     fn leave_out(&mut self) {
         let same = SAME * self.size;
         let all: Vec<DVec2> = self.edges.iter().flat_map(|edge| &edge.points).chain(&self.points).copied().collect();
@@ -170,9 +171,15 @@ impl<'a> Standing<'a> {
         };
         let mut edges: Vec<Edge> = Vec::new();
         for edge in self.edges.drain(..).filter(is_near) {
+            // The first point of a closed one is the first the other way round too.
+            let first = usize::from(edge.curve.is_closed());
+            let back = edge.points[..first].iter().chain(edge.points[first..].iter().rev());
             let is_there = |other: &Edge| {
-                let mut pairs = other.points.iter().zip(&edge.points);
-                other.points.len() == edge.points.len() && pairs.all(|(p, q)| p.distance(*q) <= same)
+                let is_same = |(p, q): (&DVec2, &DVec2)| p.distance(*q) <= same;
+                other.points.len() == edge.points.len()
+                    && other.curve.is_closed() == edge.curve.is_closed()
+                    && (other.points.iter().zip(&edge.points).all(is_same)
+                        || other.points.iter().zip(back.clone()).all(is_same))
             };
             if !edges.iter().any(is_there) {
                 edges.push(edge);
@@ -190,12 +197,11 @@ impl<'a> Standing<'a> {
     }
 
     pub(crate) fn footprint(&self, accuracy: &Accuracy) -> Footprint {
-        let area = self.touching.iter().fold(Quantity::default(), |sum, face| sum + area(*face, accuracy));
-        let n = EDGE_POINTS.max(4 * self.columns);
-        // The hull of points of a smooth curve lacks a part that goes with 1 / n^2, and then with 1 / n^4.
-        let (area_of_hull, [before, after]) =
-            romberg::romberg([n / 4, n / 2, n].map(|n| polygon_area(&hull(&self.edge(n)))));
-        let hull_area = Quantity::new(area_of_hull, (after - before).abs() + 1e-13 * after);
+        let area_of = |face: &dyn Face| area(face.passed_once().unwrap_or(face), accuracy);
+        let area = self.touching.iter().fold(Quantity::default(), |sum, face| sum + area_of(*face));
+        let curves: Vec<&Touching> = self.edges.iter().map(|edge| &edge.curve).collect();
+        let (area_of_hull, off) = hull_area(&self.points, &curves, EDGE_POINTS.max(4 * self.columns));
+        let hull_area = Quantity::new(area_of_hull, off + 1e-13 * area_of_hull);
         let told = hull(&self.edge(TOLD));
         Footprint { level: self.level, area, hull_area, hull: told.iter().map(|p| p.to_array()).collect() }
     }

@@ -32,7 +32,7 @@ enum Course {
 impl<'a> Touching<'a> {
     /// The edges of a face that touches as a whole.
     pub(crate) fn all(face: &'a dyn Face) -> impl Iterator<Item = Touching<'a>> {
-        let sides = [0.0, TAU].into_iter().filter(|_| !face.is_closed()).map(Course::Along);
+        let sides = sides(face).map(Course::Along);
         [0.0, 1.0].map(Course::End).into_iter().chain(sides).map(move |course| Touching { face, course })
     }
 
@@ -41,16 +41,24 @@ impl<'a> Touching<'a> {
         matches!(self.course, Course::End(a) if a == at)
     }
 
-    /// Whether its last point is its first.
+    /// Whether its last point is its first. What goes to an end and back is passed once.
     pub(crate) fn is_closed(&self) -> bool {
-        self.face.is_closed() && !matches!(self.course, Course::Along(_))
+        match self.course {
+            Course::End(_) => self.face.is_closed() && !self.goes_back(),
+            Course::Along(_) => false,
+            Course::Crest { .. } => self.face.is_closed(),
+        }
+    }
+
+    fn goes_back(&self) -> bool {
+        self.face.goes_back(1.5 * PI)
     }
 
     /// Points at even steps, from above.
     pub(crate) fn points(&self, n: usize) -> Vec<DVec2> {
         let last = (!self.is_closed()).then_some(TAU);
         let mut walk = self.walk();
-        round(n).chain(last).map(|turn| walk.at(turn).position.truncate()).collect()
+        round(n).chain(last).map(|turn| walk.point(turn)).collect()
     }
 
     /// The same with how each changes by the turn; `None` where that is not known, or jumps.
@@ -75,6 +83,10 @@ pub(crate) struct TouchingWalk<'a> {
 impl TouchingWalk<'_> {
     fn at(&mut self, turn: f64) -> FaceJet {
         match &self.curve.course {
+            Course::End(a) if self.curve.goes_back() => {
+                let jet = self.walk.jet(*a, 0.5 * turn);
+                FaceJet { dv: 0.5 * jet.dv, ..jet }
+            }
             Course::End(a) => self.walk.jet(*a, turn),
             Course::Along(v) => self.walk.jet(turn / TAU, *v),
             Course::Crest { lows, within } => {
@@ -86,11 +98,12 @@ impl TouchingWalk<'_> {
         }
     }
 
+    /// A point from above.
+    pub(super) fn point(&mut self, turn: f64) -> DVec2 {
+        self.at(turn).position.truncate()
+    }
+
     fn sloped(&mut self, turn: f64) -> Option<[DVec2; 2]> {
-        // What goes to an end and back has corners there.
-        if self.curve.face.goes_back(1.5 * PI) {
-            return None;
-        }
         let jet = self.at(turn);
         let slope = match self.curve.course {
             Course::End(_) => jet.dv,
@@ -104,15 +117,24 @@ impl TouchingWalk<'_> {
     pub(crate) fn top(&mut self, from: (f64, f64), to: (f64, f64), direction: DVec2) -> f64 {
         let mut slope = |turn: f64| self.sloped(turn).map_or(0.0, |[_, slope]| slope.dot(direction));
         let top = illinois::root(from, to, &mut slope);
-        self.at(top).position.truncate().dot(direction)
+        self.point(top).dot(direction)
     }
 
     /// The same of a curve without slopes, about a turn and no further from there than a step.
     pub(crate) fn farthest(&mut self, place: f64, step: f64, direction: DVec2) -> f64 {
         let ends = [place - step, place + step];
         let [low, high] = if self.curve.is_closed() { ends } else { ends.map(|turn| turn.clamp(0.0, TAU)) };
-        -brent::least(low, high, 1e-9, |turn| -self.at(turn).position.truncate().dot(direction)).1
+        -brent::least(low, high, 1e-9, |turn| -self.point(turn).dot(direction)).1
     }
+}
+
+/// Where the sides are of an open face, also of one that is passed there and back.
+fn sides(face: &dyn Face) -> impl Iterator<Item = f64> {
+    let last = match face.is_closed() {
+        true => face.goes_back(1.5 * PI).then_some(PI),
+        false => Some(TAU),
+    };
+    last.into_iter().flat_map(|last| [0.0, last])
 }
 
 /// The ends, and of an open face the sides, that lie below a level; what is no longer than `point` is none.
@@ -123,9 +145,7 @@ pub(super) fn level_ends<'a>(face: &'a dyn Face, grid: &Grid<FaceJet>, level: f6
     let ends = [(0.0, rows.first()), (1.0, rows.last())];
     let ends = ends.into_iter().filter(|(_, row)| row.is_some_and(|row| row.iter().all(is_level) && is_long(row)));
     let mut found: Vec<Touching> = ends.map(|(a, _)| Touching { face, course: Course::End(a) }).collect();
-    if !face.is_closed() {
-        found.extend([0.0, TAU].into_iter().filter_map(|v| level_ridge(face, v, level)));
-    }
+    found.extend(sides(face).filter_map(|v| level_ridge(face, v, level)));
     found
 }
 
@@ -136,17 +156,29 @@ pub(super) fn level_ridge(face: &dyn Face, v: f64, level: f64) -> Option<Touchin
     is_level.then_some(Touching { face, course: Course::Along(v) })
 }
 
-/// The curve round a closed face where it is lowest in each column, if all of it lies below a level; on the grid no column is higher than `near`.
-pub(super) fn level_crest<'a>(face: &'a dyn Face, grid: &Grid<FaceJet>, level: f64, near: f64) -> Option<Touching<'a>> {
+/// The curve round a closed face where it is lowest in each column, if all of it lies below a level; on the grid no column is higher than `near`, and what is no longer there than `point` is none.
+pub(super) fn level_crest<'a>(
+    face: &'a dyn Face,
+    grid: &Grid<FaceJet>,
+    level: f64,
+    near: f64,
+    point: f64,
+) -> Option<Touching<'a>> {
     if !face.is_closed() {
         return None;
     }
     let (columns, within) = (grid.columns(), grid.steps().0);
-    let height = |row: usize, column: usize| grid.points()[row * columns + column].position.z;
+    let position = |row: usize, column: usize| grid.points()[row * columns + column].position;
+    let height = |row: usize, column: usize| position(row, column).z;
     let lows: Vec<usize> = (0..columns)
         .map(|column| (0..grid.rows()).min_by(|i, j| height(*i, column).total_cmp(&height(*j, column))).unwrap_or(0))
         .collect();
     if lows.iter().enumerate().any(|(column, row)| height(*row, column) > near) {
+        return None;
+    }
+    // All columns of a face that ends in a point may be lowest there.
+    let is_at_first = |(column, row): (usize, &usize)| position(*row, column).distance(position(lows[0], 0)) <= point;
+    if lows.iter().enumerate().all(is_at_first) {
         return None;
     }
     let mut walk = face.walk();

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::climb::{Climb, Share, power};
+use super::lines::Lines;
 use crate::numeric::recent::Recent;
 use crate::patch::{Breaks, Cell, Columns, Patch, Row, ShowCell, Side, Spread, Suprema, SurfaceJet};
 
@@ -21,6 +22,9 @@ pub(super) struct Curved {
     /// Cells that are halved again and again have few lines between them.
     strips: Recent<Strip, 2>,
     sectors: Recent<Sector, 2>,
+    /// What is along the lines that places lie on.
+    rows: Lines<3>,
+    meridians: Lines<2>,
 }
 
 /// How many strips and sectors are kept.
@@ -39,6 +43,8 @@ impl Curved {
             across: [round.rising(a), round.falling(b)],
             strips: Recent::default(),
             sectors: Recent::default(),
+            rows: Lines::default(),
+            meridians: Lines::default(),
         }
     }
 
@@ -138,7 +144,7 @@ impl Row for Level<'_> {
     }
 
     fn jet(&self, v: f64) -> SurfaceJet {
-        self.patch.jet_of(&self.along, self.patch.across.map(|climb| climb.jet(v)))
+        self.patch.jet_of(&self.along, self.patch.meridians.at(v, &self.patch.across))
     }
 
     fn jet_at(&self, columns: &Columns, column: usize) -> SurfaceJet {
@@ -158,7 +164,7 @@ impl Patch for Curved {
     }
 
     fn row(&self, u: f64) -> Box<dyn Row + '_> {
-        Box::new(Level { patch: self, along: self.along.map(|climb| climb.jet(u)) })
+        Box::new(Level { patch: self, along: self.rows.at(u, &self.along) })
     }
 
     fn columns(&self, spread: Spread) -> Columns {

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::climb::Climb;
+use super::lines::Lines;
 use crate::patch::{Breaks, Cell, Patch, Side, Suprema, SurfaceJet};
 
 /// `X(t, s) = t (f(s), g(s))` in the plane of two axes: the rays from the origin to the curve in which the curved side meets the plane.
@@ -15,12 +16,14 @@ pub(super) struct Flat {
     sides: [Side; 4],
     /// Along `X_t x X_s`.
     normal: DVec3,
+    /// What the curve is where rays meet it.
+    rays: Lines<2>,
 }
 
 impl Flat {
     /// `normal` is where `X_t x X_s` points.
     pub(super) fn new(axes: [usize; 2], curve: [Climb; 2], waves: f64, sides: [Side; 4], normal: DVec3) -> Flat {
-        Flat { axes, curve, waves, sides, normal }
+        Flat { axes, curve, waves, sides, normal, rays: Lines::default() }
     }
 
     fn vector(&self, [one, other]: [f64; 2]) -> DVec3 {
@@ -32,7 +35,7 @@ impl Flat {
 
 impl Patch for Flat {
     fn jet(&self, t: f64, s: f64) -> SurfaceJet {
-        let curve = self.curve.map(|climb| climb.jet(s));
+        let curve = self.rays.at(s, &self.curve);
         let [at, along, bend] = [0, 1, 2].map(|order| self.vector(curve.map(|jet| jet[order])));
         SurfaceJet { position: t * at, du: at, dv: t * along, duu: DVec3::ZERO, duv: along, dvv: t * bend }
     }

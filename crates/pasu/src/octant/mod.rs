@@ -7,6 +7,7 @@ mod climb;
 mod curved;
 mod flat;
 mod inside;
+mod lines;
 mod moments;
 mod solved;
 

@@ -7,8 +7,9 @@ use std::f64::consts::{PI, TAU};
 use glam::{DVec2, DVec3};
 use pasu::{Body, Design, Face, MeasureOptions, Product, Quantity, Solution, measure};
 
-use crate::support::design;
+use crate::support::networks::cube;
 use crate::support::random::{Random, drawn};
+use crate::support::{design, design_of};
 
 fn whole(json: &str) -> Body {
     measure(&design(json), &MeasureOptions::default()).unwrap_or_else(|e| panic!("{e}\n{json}")).whole
@@ -106,6 +107,99 @@ fn the_underside_of_a_tip_is_the_disc_that_it_seems() {
     let footprint = whole(&document).footprint.expect("a footprint");
     let (area, hull) = (footprint.area.value, footprint.hull_area.value);
     assert!((area - hull).abs() <= 1e-9 * hull, "{area} {hull}");
+}
+
+/// What stands under a square of three in the plane of two axes: the area of what touches, and the corners of its hull, close to each other where it is round.
+struct Ground {
+    area: f64,
+    hull: Vec<DVec2>,
+}
+
+/// Of `x^a + y^b <= 1`, stretched.
+fn ground([a, b]: [f64; 2], stretch: DVec2) -> Ground {
+    // By a share of x^a that sets out slowly from either end.
+    let power = 2.0 * a.max(b).max(1.0);
+    let n = 200_000;
+    let point = |i: i32| {
+        let s = f64::from(i) / f64::from(n);
+        let (here, left) = (s.powf(power), (1.0 - s).powf(power));
+        DVec2::new((here / (here + left)).powf(1.0 / a), (left / (here + left)).powf(1.0 / b)) * stretch
+    };
+    let area = libm::tgamma(1.0 + 1.0 / a) * libm::tgamma(1.0 + 1.0 / b) / libm::tgamma(1.0 + 1.0 / a + 1.0 / b);
+    let hull = hull((0..=n).map(point).chain([DVec2::ZERO]).collect());
+    Ground { area: area * stretch.x * stretch.y, hull }
+}
+
+/// The area was told twice over, that of a hull with chords off by a thousand times its error, and of a box it was half a degree too early that it falls.
+#[test]
+fn an_octant_stands_on_the_area_of_its_formula_and_falls_over_the_nearest_side() {
+    let exponents = [
+        [2.0, 2.0, 2.0],
+        [3.5, 3.5, 3.5],
+        [50.0, 50.0, 50.0],
+        [1.0, 2.0, 2.0],
+        [8.0, 1.0, 0.3901],
+        [0.5, 19.5399, 1.3],
+        [0.5, 50.0, 0.3],
+        [0.5334, 6.594, 1.3],
+        [0.5645, 2.0, 0.05],
+        [2.0, 0.7, 0.3],
+        [0.7, 1.0086, 50.0],
+    ];
+    for exponents in exponents {
+        for scale in [DVec3::ONE, DVec3::new(7.0, 2.5, 0.3), DVec3::new(1.5, 0.3, 2.5)] {
+            let text = format!(
+                r#"{{ "pasu": 1, "parts": [{{ "shape": {{ "kind": "octant", "exponents": {exponents:?} }}, "place": {{ "scale": {:?}, "shift": [-3, 2, 5] }} }}] }}"#,
+                scale.to_array()
+            );
+            let body = whole(&text);
+            let footprint = body.footprint.expect("a footprint");
+            let [a, b, _] = exponents;
+            let Ground { area, hull } = ground([a, b], scale.truncate());
+            let told = footprint.area;
+            assert!((told.value - area).abs() <= told.error + 1e-12 * area, "{text}: {told:?}, and {area}");
+            let sides = || hull.iter().zip(hull.iter().cycle().skip(1));
+            let whole = 0.5 * sides().map(|(p, q)| p.perp_dot(*q)).sum::<f64>();
+            let told = footprint.hull_area;
+            assert!((told.value - whole).abs() <= told.error + 1e-8 * whole, "{text}: {told:?}, and {whole}");
+            let centre = DVec3::from_array(body.centre.empty.expect("a centre").at) - DVec3::new(-3.0, 2.0, 5.0);
+            let reach = sides().map(|(p, q)| cross(*p, *q, centre.truncate()) / p.distance(*q));
+            let angle = (reach.fold(f64::INFINITY, f64::min) / centre.z).atan().to_degrees();
+            let told = body.tipping.empty.expect("a tilt");
+            assert!((told.degrees - angle).abs() <= told.error + 1e-5, "{text}: {told:?}, and {angle}");
+        }
+    }
+}
+
+/// A cube whose lowest edges bow outwards: what it stands on is one patch, and all four sides of that are edges of the hull.
+#[test]
+fn a_network_stands_on_its_level_patch_once_and_as_far_as_its_sides_bow() {
+    let mut shape = cube();
+    for vertex in shape["vertices"].as_array_mut().expect("vertices") {
+        let [x, y, z] = [0, 1, 2].map(|i| vertex[i].as_f64().expect("a number"));
+        if z == -1.0 && (x == 0.0) != (y == 0.0) {
+            *vertex = serde_json::json!([1.4 * x, 1.3 * y, z]);
+        }
+    }
+    let design = design_of(&shape.to_string());
+    let body = measure(&design, &MeasureOptions::default()).expect("measures").whole;
+    let footprint = body.footprint.expect("a footprint");
+    let n = 20_000;
+    let sides = (0..6).flat_map(|patch| {
+        (0..=n).flat_map(move |i| {
+            let at = f64::from(i) / f64::from(n);
+            [[0.0, at], [1.0, at], [at, 0.0], [at, 1.0]].map(|[u, v]| [f64::from(patch), u, v])
+        })
+    });
+    let at: Vec<f64> = sides.flatten().collect();
+    let points = pasu::evaluate(&design, 0, &at).expect("points");
+    let level = points.chunks_exact(3).filter(|p| p[2] <= footprint.level + 1e-9).map(|p| DVec2::new(p[0], p[1]));
+    let hull = hull(level.collect());
+    let exact = 0.5 * hull.iter().zip(hull.iter().cycle().skip(1)).map(|(p, q)| p.perp_dot(*q)).sum::<f64>();
+    assert!(exact > 5.0);
+    for told in [footprint.area, footprint.hull_area] {
+        assert!((told.value - exact).abs() <= told.error + 1e-7 * exact, "{footprint:?}, and {exact}");
+    }
 }
 
 fn upright(seed: u64) -> String {
