@@ -200,3 +200,19 @@ test("a design goes from second to mixed to fourth order, and back by undo", asy
   await pot.undo();
   await pot.shows(before);
 });
+
+test("where the commands stand beside the title it is read to its end, and that it was changed", async () => {
+  const pot = await here.enter({ link: "#1/bloor-wilson?n1=5" });
+  await pot.fingerprint();
+  await pot.page.getByRole("textbox", { name: "Title" }).fill("Jug with five dints");
+  await pot.page.keyboard.press("Tab");
+  const cut = () =>
+    pot.page.locator("pasu-top-bar").evaluate((bar) => {
+      const all = [...(bar.shadowRoot?.querySelectorAll(".title, .unsaved") ?? [])];
+      return all.map((each) => each.scrollWidth - each.clientWidth);
+    });
+  for (const width of [1081, 1100, 1180, 1280, 1281, 1440]) {
+    await pot.page.setViewportSize({ width, height: 700 });
+    await expect.poll(cut, { message: `${width} wide` }).toEqual([0, 0]);
+  }
+});

@@ -185,9 +185,13 @@ export class PasuTopBar extends DesignerElement {
       .narrow {
         display: none;
       }
-      @media (max-width: 78em) {
+      /* Of a word and its picture the word: the title has the room. */
+      @media (max-width: 80em) {
         .item {
           padding: 0 5px;
+        }
+        .files svg {
+          display: none;
         }
       }
       @media (max-width: 67.4375em) {
