@@ -222,9 +222,10 @@ impl Taken {
             (Ok(pot), _) => Vessel::of_pot(pot, self.waves()),
             (Err(why), _) if has_wall && self.open.is_empty() => Err(why.into()),
             (Err(_), Naked::Upright { inside, bare }) => Vessel::of_bare(inside, bare),
-            (Err(_), Naked::Patches { .. }) => {
-                Err(Dry::new("no-foot", "the shape has no foot and no rim, so it holds nothing"))
-            }
+            (Err(_), Naked::Patches { .. }) => Err(Dry::new(
+                "no-foot",
+                "the shape has no foot and no rim, between which it would be found how much it holds",
+            )),
         }
     }
 }
