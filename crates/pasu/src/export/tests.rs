@@ -485,7 +485,8 @@ fn a_template_on_sheets_shows_all_of_it() {
             assert_eq!(drawn.matches(&format!("href=\"#whole-{id}\"")).count(), n_sheets, "{format} {id}");
         }
         assert_eq!(layer(text, "text").matches("href=\"#marks\"").count(), n_sheets);
-        assert!(text.contains(&format!("Vase &amp; &lt;pot&gt;: sheet {n_sheets} of {n_sheets}, ")));
+        assert!(text.contains(&format!("Sheet {n_sheets} of {n_sheets}, ")));
+        assert_eq!(text.matches("; lay cross on cross: Vase &amp; &lt;pot&gt;</text>").count(), n_sheets);
         // The drawing itself is that of the template on one page.
         let whole = file("svg", &notes("Vase & <pot>", "1/x"));
         let whole = std::str::from_utf8(&whole).unwrap();
