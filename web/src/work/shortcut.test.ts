@@ -46,3 +46,22 @@ test.each([
 test("what is called otherwise is none", () => {
   for (const name of ["pot.json", "url", "pot.url.txt", "webloc"]) expect(isShortcut(name)).toBe(false);
 });
+
+test("of a file that is all beginnings of strings none is decoded", () => {
+  const bytes = new Uint8Array(1 << 21).fill(0x5f);
+  bytes.set(new TextEncoder().encode("bplist00"));
+  for (let at = 8; at + 6 < bytes.length; at += 6) bytes.set([0x5f, 0x12, 0x7f, 0xff, 0xff, 0xff], at);
+  let n = 0;
+  const { decode } = TextDecoder.prototype;
+  TextDecoder.prototype.decode = function (...given) {
+    n += 1;
+    return decode.apply(this, given);
+  };
+  try {
+    expect(linkIn(bytes)).toBeNull();
+  } finally {
+    TextDecoder.prototype.decode = decode;
+  }
+  // The whole, to see what it is.
+  expect(n).toBe(1);
+});

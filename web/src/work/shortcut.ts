@@ -18,6 +18,8 @@ const LENGTH_BYTES = new Map([
   [0x12, 4],
 ]);
 
+const SCHEME = new TextEncoder().encode("http");
+
 /** A link of this or of another version. */
 const LINK = /#\d+[/~]/;
 
@@ -29,17 +31,18 @@ export function isShortcut(name: string): boolean {
 export function linkIn(bytes: Uint8Array): string | null {
   const text = decoded(bytes);
   const address = text.startsWith("bplist")
-    ? stringsIn(bytes).find((string) => /^https?:/.test(string))
+    ? addressIn(bytes)
     : (LINE.exec(text)?.[1] ?? ELEMENT.exec(text)?.[1]?.replaceAll("&amp;", "&"));
   return address !== undefined && LINK.test(address) ? address : null;
 }
 
-function stringsIn(bytes: Uint8Array): string[] {
-  const found: string[] = [];
+/** The first string that is an address. No other is decoded: a damaged file may have millions, each as long as itself. */
+function addressIn(bytes: Uint8Array): string | undefined {
   for (let at = bytes.indexOf(LONG_STRING); at >= 0; at = bytes.indexOf(LONG_STRING, at + 1)) {
     const first = at + 2 + (LENGTH_BYTES.get(bytes[at + 1] ?? 0) ?? 0);
+    if (!SCHEME.every((letter, place) => bytes[first + place] === letter)) continue;
     const length = bytes.subarray(at + 2, first).reduce((sum, byte) => 256 * sum + byte, 0);
-    found.push(decoded(bytes.subarray(first, first + length)));
+    return decoded(bytes.subarray(first, first + length));
   }
-  return found;
+  return undefined;
 }

@@ -109,7 +109,7 @@ fn the_underside_of_a_tip_is_the_disc_that_it_seems() {
     assert!((area - hull).abs() <= 1e-9 * hull, "{area} {hull}");
 }
 
-/// What stands under a square of three in the plane of two axes: the area of what touches, and the corners of its hull, close to each other where it is round.
+/// What an octant stands on: its area, and the corners of its hull, close to each other where it is round.
 struct Ground {
     area: f64,
     hull: Vec<DVec2>,
@@ -130,7 +130,7 @@ fn ground([a, b]: [f64; 2], stretch: DVec2) -> Ground {
     Ground { area: area * stretch.x * stretch.y, hull }
 }
 
-/// The area was told twice over, that of a hull with chords off by a thousand times its error, and of a box it was half a degree too early that it falls.
+/// The area was told twice over, that of a hull with chords off by a thousand times its error, and a block was told to fall a seventh of a degree too early.
 #[test]
 fn an_octant_stands_on_the_area_of_its_formula_and_falls_over_the_nearest_side() {
     let exponents = [
@@ -158,12 +158,11 @@ fn an_octant_stands_on_the_area_of_its_formula_and_falls_over_the_nearest_side()
             let Ground { area, hull } = ground([a, b], scale.truncate());
             let told = footprint.area;
             assert!((told.value - area).abs() <= told.error + 1e-12 * area, "{text}: {told:?}, and {area}");
-            let sides = || hull.iter().zip(hull.iter().cycle().skip(1));
-            let whole = 0.5 * sides().map(|(p, q)| p.perp_dot(*q)).sum::<f64>();
+            let whole = enclosed(&hull);
             let told = footprint.hull_area;
             assert!((told.value - whole).abs() <= told.error + 1e-8 * whole, "{text}: {told:?}, and {whole}");
             let centre = DVec3::from_array(body.centre.empty.expect("a centre").at) - DVec3::new(-3.0, 2.0, 5.0);
-            let reach = sides().map(|(p, q)| cross(*p, *q, centre.truncate()) / p.distance(*q));
+            let reach = sides(&hull).map(|(p, q)| cross(*p, *q, centre.truncate()) / p.distance(*q));
             let angle = (reach.fold(f64::INFINITY, f64::min) / centre.z).atan().to_degrees();
             let told = body.tipping.empty.expect("a tilt");
             assert!((told.degrees - angle).abs() <= told.error + 1e-5, "{text}: {told:?}, and {angle}");
@@ -195,7 +194,7 @@ fn a_network_stands_on_its_level_patch_once_and_as_far_as_its_sides_bow() {
     let points = pasu::evaluate(&design, 0, &at).expect("points");
     let level = points.chunks_exact(3).filter(|p| p[2] <= footprint.level + 1e-9).map(|p| DVec2::new(p[0], p[1]));
     let hull = hull(level.collect());
-    let exact = 0.5 * hull.iter().zip(hull.iter().cycle().skip(1)).map(|(p, q)| p.perp_dot(*q)).sum::<f64>();
+    let exact = enclosed(&hull);
     assert!(exact > 5.0);
     for told in [footprint.area, footprint.hull_area] {
         assert!((told.value - exact).abs() <= told.error + 1e-7 * exact, "{footprint:?}, and {exact}");
@@ -235,6 +234,14 @@ fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
     lower
 }
 
+fn sides(polygon: &[DVec2]) -> impl Iterator<Item = (&DVec2, &DVec2)> {
+    polygon.iter().zip(polygon.iter().cycle().skip(1))
+}
+
+fn enclosed(polygon: &[DVec2]) -> f64 {
+    0.5 * sides(polygon).map(|(p, q)| p.perp_dot(*q)).sum::<f64>()
+}
+
 /// Holds what is told of a pot against its lowest points; `false` where it is none, or too few of these are met to tell when it falls.
 fn stands_as_told(name: &str, design: &Design) -> bool {
     let solution = Solution::of(design);
@@ -260,8 +267,7 @@ fn stands_as_told(name: &str, design: &Design) -> bool {
         }
     }
     let hull = hull(touching);
-    let sides = || hull.iter().zip(hull.iter().cycle().skip(1));
-    let area = 0.5 * sides().map(|(p, q)| p.perp_dot(*q)).sum::<f64>();
+    let area = enclosed(&hull);
     // Points that are single ones are hardly met.
     if hull.len() < 3 || area < 1e-4 * size * size {
         return false;
@@ -272,7 +278,8 @@ fn stands_as_told(name: &str, design: &Design) -> bool {
     if told.value > area * 1.001 {
         return false;
     }
-    let reach = sides().map(|(p, q)| cross(*p, *q, centre.truncate()) / p.distance(*q)).fold(f64::INFINITY, f64::min);
+    let reach =
+        sides(&hull).map(|(p, q)| cross(*p, *q, centre.truncate()) / p.distance(*q)).fold(f64::INFINITY, f64::min);
     let angle = (reach.max(0.0) / (centre.z - footprint.level)).atan().to_degrees();
     let off = (angle - tipping.degrees).abs();
     assert!(off <= 1e-2 + tipping.error, "{name}: told {tipping:?}, there {angle}");
