@@ -374,6 +374,8 @@ fn sections_are_where_the_rim_is_highest_and_lowest() {
     );
     let sloping = under(&Lip { wave: 3.0, flat: 0.0, n: 1.0, flare: 0.0 });
     assert_eq!(ids(&sloping), [1, 0]);
+    // Of the two lines over a rim that is level one is where it is cut.
+    assert_eq!([&level, &sloping].map(|text| text.matches(">section<").count()), [1, 0]);
     for told in
         ["Section through the rim's highest and lowest points", ">highest<", ">lowest<", ">2.7 rim at its lowest<"]
     {
@@ -424,10 +426,19 @@ fn texts(svg: &str) -> Vec<(f64, f64, f64, String)> {
 
 #[test]
 fn no_text_of_a_rim_lies_on_another() {
-    for (n, flare) in [(1.0, 0.0), (2.0, 0.0), (3.0, 0.0), (2.0, -19.0), (1.0, -19.9), (3.0, 15.0)] {
-        let svg = under(&Lip { wave: 3.0, flat: 0.1, n, flare });
+    for (wave, n, flare) in [
+        (3.0, 1.0, 0.0),
+        (3.0, 2.0, 0.0),
+        (3.0, 3.0, 0.0),
+        (3.0, 2.0, -19.0),
+        (3.0, 1.0, -19.9),
+        (3.0, 3.0, 15.0),
+        (0.0, 2.0, 0.0),
+        (0.0, 2.0, -19.0),
+    ] {
+        let svg = under(&Lip { wave, flat: 0.1 * f64::from(wave > 0.0), n, flare });
         let all = texts(&svg);
-        assert!(all.iter().any(|(.., word)| word == "highest"), "{n} {flare}");
+        assert!(all.iter().any(|(.., word)| word == "highest" || word == "section"), "{n} {flare}");
         for (index, (x, y, width, word)) in all.iter().enumerate() {
             for (other_x, other_y, other_width, other) in &all[..index] {
                 let is_over = (y - other_y).abs() < 2.2 && x < &(other_x + other_width) && other_x < &(x + width);

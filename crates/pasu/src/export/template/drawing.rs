@@ -2,14 +2,13 @@
 
 use glam::DVec2;
 
+use super::letters;
 use super::ruler::Ruler;
 use crate::export::numbers::rounded;
 use crate::export::xml::escaped;
 
 /// Decimal places of a coordinate: a micrometre.
 const PLACES: usize = 3;
-/// The mean width of letters, of their size.
-const LETTER: f64 = 0.55;
 
 /// A drawing that grows; the text of an SVG without its frame.
 #[derive(Default)]
@@ -130,14 +129,14 @@ impl Drawing {
         self.layer(Layer::Outline).push_str(&area);
     }
 
-    /// How far texts that start somewhere reach to the right, roughly: who shows the drawing chooses the letters.
+    /// How far texts that start somewhere reach to the right, roughly.
     pub(super) fn right(&self) -> f64 {
         self.right
     }
 
     pub(super) fn text(&mut self, at: DVec2, size: f64, anchor: Anchor, text: &str) {
         if let Anchor::Start = anchor {
-            let right = at.x + LETTER * size * text.chars().count() as f64;
+            let right = at.x + letters::width(text, size);
             self.right = self.right.max(right);
             // A long name, too, is on some sheet to its end.
             self.cover(at - DVec2::new(0.0, size), DVec2::new(right, at.y));

@@ -3,6 +3,7 @@
 mod drawing;
 mod frame;
 mod layout;
+mod letters;
 mod levels;
 mod page;
 mod paper;

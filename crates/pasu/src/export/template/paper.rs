@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use super::drawing::{Anchor, Drawing, Layer, Pen, line, number, written};
 use super::layout::TEXT;
+use super::letters;
 use super::page::head;
 use crate::error::{Code, Error, Result};
 use crate::export::contents::Notes;
@@ -19,7 +20,7 @@ const MARK: f64 = 4.0;
 const CIRCLE: f64 = 1.5;
 /// Nobody puts together more sheets; they bound the file, too.
 const MOST_SHEETS: usize = 200;
-/// Letters of a title on a sheet.
+/// Letters of a title on a sheet, of which wide ones count twice.
 const LETTERS: usize = 48;
 /// Browsers put the sheets of one drawing on pages of a whole number of pixels, of which an inch has 96.
 const PIXEL: f64 = 25.4 / 96.0;
@@ -130,8 +131,8 @@ impl Paper {
                 ));
                 if layer == Layer::Text {
                     text.push_str("<use href=\"#marks\"/>\n");
-                    // Last: of a long title in wide letters the end may be beyond the paper, and nothing else.
-                    let title: String = notes.title.chars().take(LETTERS).collect();
+                    // Last: where letters are wider than most, the end of it may be beyond the paper, and nothing else.
+                    let title = letters::beginning(&notes.title, LETTERS);
                     let told = format!(
                         "Sheet {} of {}, {}; lay cross on cross: {title}",
                         sheet + 1,

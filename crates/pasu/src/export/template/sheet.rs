@@ -163,8 +163,9 @@ fn from_above(drawing: &mut Drawing, ruler: &Ruler, at: DVec2, index: usize, sta
     let (from, to) = (low - DVec2::splat(BEYOND), high + DVec2::splat(BEYOND));
     let mut written = Vec::new();
     for Plane { towards, through, ends } in planes {
-        let is_plain = through.is_empty();
-        for direction in if is_plain { vec![*towards, towards.perp()] } else { vec![*towards] } {
+        // The line across the only section shows where the middle is.
+        let across = through.is_empty().then_some((towards.perp(), [""; 2]));
+        for (direction, ends) in [(*towards, *ends)].into_iter().chain(across) {
             let [away, near] = [-direction, direction].map(|direction| place(within(direction, from, to)));
             drawing.line(Pen::Axis, away, near);
             for (word, end) in ends.iter().zip([near, away]).filter(|(word, _)| !word.is_empty()) {

@@ -54,7 +54,7 @@ impl Stand {
         faces: impl Iterator<Item = &'a dyn Face>,
         millimetres: f64,
     ) -> Stand {
-        let plain = Plane { towards: DVec2::X, through: "", ends: ["", ""] };
+        let plain = Plane { towards: DVec2::X, through: "", ends: ["section", ""] };
         let faces: Vec<&dyn Face> = faces.collect();
         let levels = Levels::new(&frame, &faces, millimetres);
         let mut stand = Stand { frame, levels, rim: Vec::new(), hem: Vec::new(), planes: vec![plain] };
