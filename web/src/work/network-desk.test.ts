@@ -4,7 +4,9 @@ import { moved, shiftBy } from "../document/network/moving";
 import type { Network } from "../document/network/network";
 import { everything, NOTHING, withPatch, withVertex, withVertices } from "../document/network/selection";
 import { extruded } from "../document/network/topology";
+import { openDesign } from "../state/actions";
 import { changeNetwork } from "../state/network-actions";
+import { duplicatePart } from "../state/scene-actions";
 import { NEW_SESSION } from "../state/session";
 import { Store } from "../state/store";
 import { NetworkDesk } from "./network-desk";
@@ -21,9 +23,11 @@ const networkOf = (store: Store): Network => {
   return shape;
 };
 
+const deskOf = (store: Store) => new NetworkDesk(() => store.ids[store.part]);
+
 test("what is picked stays picked while it is moved, and is what it was when undo brings a network back", () => {
   const store = leaf();
-  const desk = new NetworkDesk();
+  const desk = deskOf(store);
   expect(desk.picksOf(networkOf(store))).toEqual(NOTHING);
   desk.pick(networkOf(store), withVertex(NOTHING, 3, false));
   store.apply(changeNetwork(store.state, (network) => moved(network, new Set([3]), shiftBy([1, 0, 0])), "drag 1"));
@@ -42,6 +46,26 @@ test("what is picked stays picked while it is moved, and is what it was when und
   store.undo();
   expect(networkOf(store).vertices[3]?.[0]).toBe(7);
   expect([...desk.picksOf(networkOf(store)).vertices]).toEqual([3]);
+});
+
+test("nothing is picked of a copy, nor of another document of the same frames, and undo finds what was picked of the first", () => {
+  const store = leaf();
+  const desk = deskOf(store);
+  desk.pick(networkOf(store), withVertex(NOTHING, 3, false));
+  store.apply(duplicatePart(store.state, 0, 20));
+  expect(store.part).toBe(1);
+  const copy = store.design.parts[1]?.shape as Network;
+  expect(desk.picksOf(copy)).toEqual(NOTHING);
+  desk.pick(copy, withVertex(NOTHING, 5, false));
+  store.undo();
+  expect([...desk.picksOf(networkOf(store)).vertices]).toEqual([3]);
+  const { design } = store;
+  for (const other of [design, structuredClone(design)]) {
+    store.apply(openDesign(store.state, { ...other }));
+    expect(desk.picksOf(networkOf(store))).toEqual(NOTHING);
+    store.undo();
+    expect([...desk.picksOf(networkOf(store)).vertices]).toEqual([3]);
+  }
 });
 
 test("points and patches are picked alone or beside the others", () => {

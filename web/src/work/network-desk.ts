@@ -5,6 +5,7 @@ import type { Doing, Touch, Way } from "../document/network/grasping";
 import type { Axis } from "../document/network/moving";
 import { type Network, sizeOf } from "../document/network/network";
 import { NOTHING, type Picks, within } from "../document/network/selection";
+import type { PartId } from "../state/part-ids";
 import type { Designer } from "./designer";
 
 export interface Settings {
@@ -24,6 +25,13 @@ export interface Settings {
   readonly strength: number;
 }
 
+interface Picked {
+  readonly of: Network;
+  /** Another part may have the same patches. */
+  readonly whose: PartId | undefined;
+  readonly picks: Picks;
+}
+
 const USUAL: Settings = {
   motion: "move",
   way: "view",
@@ -39,9 +47,15 @@ const USUAL: Settings = {
 
 export class NetworkDesk {
   readonly #settings = signal(USUAL);
-  readonly #picks = signal<{ readonly of: Network | null; readonly picks: Picks }>({ of: null, picks: NOTHING });
-  /** What was picked of networks that undo may bring back. */
-  readonly #kept = new WeakMap<Network["patches"], Picks>();
+  readonly #picks = signal<Picked | null>(null);
+  /** What was picked of networks that undo may bring back: a copy has the patches of what it was copied from. */
+  readonly #kept = new WeakMap<Network["patches"], ReadonlyMap<PartId | undefined, Picks>>();
+  readonly #whose: () => PartId | undefined;
+
+  /** `whose` tells which part the networks are of. */
+  constructor(whose: () => PartId | undefined) {
+    this.#whose = whose;
+  }
 
   get settings(): Settings {
     return this.#settings.value;
@@ -53,14 +67,17 @@ export class NetworkDesk {
 
   /** What is picked of a network: the same as before where points were moved alone, and what was picked of it where undo brings back another. */
   picksOf(network: Network): Picks {
-    const { of, picks } = this.#picks.value;
-    if (of && (of.patches === network.patches || alike(of, network))) return within(network, picks);
-    return within(network, this.#kept.get(network.patches) ?? NOTHING);
+    const picked = this.#picks.value;
+    const whose = this.#whose();
+    if (picked && picked.whose === whose && (picked.of.patches === network.patches || alike(picked.of, network)))
+      return within(network, picked.picks);
+    return within(network, this.#kept.get(network.patches)?.get(whose) ?? NOTHING);
   }
 
   pick(network: Network, picks: Picks): void {
-    this.#kept.set(network.patches, picks);
-    this.#picks.value = { of: network, picks };
+    const whose = this.#whose();
+    this.#kept.set(network.patches, new Map([...(this.#kept.get(network.patches) ?? []), [whose, picks]]));
+    this.#picks.value = { of: network, whose, picks };
   }
 }
 
@@ -78,7 +95,7 @@ function alike(one: Network, other: Network): boolean {
 const desks = new WeakMap<Designer, NetworkDesk>();
 
 export function networkDesk(designer: Designer): NetworkDesk {
-  const known = desks.get(designer) ?? new NetworkDesk();
+  const known = desks.get(designer) ?? new NetworkDesk(() => designer.store.ids[designer.store.part]);
   desks.set(designer, known);
   return known;
 }
