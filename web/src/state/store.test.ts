@@ -4,6 +4,7 @@ import { getPath } from "../document/path";
 import { type Field, familyOf } from "../document/schema";
 import type { Design, Handle, Shape } from "../document/types";
 import * as actions from "./actions";
+import { changePlace } from "./place-actions";
 import { NEW_SESSION } from "./session";
 import * as shapeActions from "./shape-actions";
 import { Store } from "./store";
@@ -43,6 +44,18 @@ describe("undo", () => {
     expect(store.canUndo).toBe(false);
     store.redo();
     expect(rim()).toBe(1.3);
+  });
+
+  test("a drag that ends where it began is no step, though what was left out is written out now", () => {
+    drag(1.1, 1);
+    expect(store.canUndo).toBe(false);
+    expect(store.design).toEqual(START);
+    const moved = { ...START, parts: START.parts.map((part) => ({ ...part, place: { shift: [1, 0, 0] as const } })) };
+    store.apply({ design: moved, undo: "none" });
+    for (const x of [2, 1]) store.apply(changePlace(store.state, (place) => ({ ...place, shift: [x, 0, 0] }), "shift"));
+    store.endGesture();
+    expect(store.canUndo).toBe(false);
+    expect(store.design).toEqual(moved);
   });
 
   test("two drags of the same slider are two steps", () => {

@@ -2,7 +2,9 @@
 
 import { batch, computed, type Signal, signal } from "@preact/signals-core";
 import { isAlike } from "../document/alike";
+import { filled } from "../document/kinds";
 import { frozen } from "../document/path";
+import { UNMOVED } from "../document/placement";
 import type { Design } from "../document/types";
 import type { History, Left, Trip } from "./history";
 import { cancelMerge, canRedo, canUndo, EMPTY, endMerge, recall, record, redo, undo } from "./history";
@@ -114,8 +116,9 @@ export class Store {
 
   /** Ends the gesture: the next change is a step of its own. Who follows {@link inGesture} can settle. */
   endGesture(): void {
-    // What ended where it began is no step: undo would do nothing.
-    if (this.inGesture && isAlike(this.#history.peek().past.at(-1)?.design, this.#design.peek())) this.cancelGesture();
+    // What ended where it began is no step, though what may be left out be written out now: undo would do nothing.
+    const { past } = this.#history.peek();
+    if (this.inGesture && isAlike(meant(past.at(-1)?.design), meant(this.#design.peek()))) this.cancelGesture();
     this.#history.value = endMerge(this.#history.peek());
   }
 
@@ -187,4 +190,12 @@ export class Store {
         this.#session.value = frozen({ ...this.#session.peek(), selection });
     });
   }
+}
+
+/** The design with all that its shapes and placements may leave out. */
+function meant(design: Design | undefined): unknown {
+  return {
+    ...design,
+    parts: design?.parts.map((part) => ({ ...part, shape: filled(part.shape), place: { ...UNMOVED, ...part.place } })),
+  };
 }
