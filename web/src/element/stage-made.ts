@@ -18,7 +18,8 @@ import type { Piece } from "../work/piece";
 import type { Shown } from "../work/surface";
 import "./water-handle";
 import { page } from "../words/english/page";
-import { lengthWords, volumeWords } from "../words/quantities";
+import { localVolumeWords } from "../words/customary";
+import { lengthWords } from "../words/quantities";
 import type { PasuWaterHandle } from "./water-handle";
 
 export class StageMade {
@@ -151,7 +152,7 @@ function wordsOf({ measures, solid }: Made, { design }: Shown): readonly Word[] 
   const wall = design.parts[0]?.wall;
   if (value?.capacity && measures.of === design) {
     const { brim, spill } = value.capacity;
-    words.push({ text: volumeWords(brim.value, unit, 3), at: middleOf(solid.value?.bounds, spill.level.value) });
+    words.push({ text: localVolumeWords(brim.value, unit, 3), at: middleOf(solid.value?.bounds, spill.level.value) });
     if (wall) words.push({ text: page.wallOnStage(lengthWords(wall.thickness, unit, 3)), at: spill.at });
   }
   return words;

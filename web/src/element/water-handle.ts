@@ -7,7 +7,7 @@ import type { Hold } from "../render/made/made";
 import { setFill } from "../state/wall-actions";
 import { base } from "../ui/styles";
 import { page } from "../words/english/page";
-import { volumeWords } from "../words/quantities";
+import { localVolumeWords } from "../words/customary";
 import { DesignerElement } from "./designer-element";
 import { fillAfter } from "./water-keys";
 
@@ -49,7 +49,7 @@ export class PasuWaterHandle extends DesignerElement {
   private words(): string {
     const water = this.designer.made?.water;
     const volume = water?.value?.volume ?? null;
-    return volume !== null && water?.of ? volumeWords(volume, unitOf(water.of), 3) : "";
+    return volume !== null && water?.of ? localVolumeWords(volume, unitOf(water.of), 3) : "";
   }
 
   private readonly key = (event: KeyboardEvent): void => {

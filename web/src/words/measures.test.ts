@@ -159,7 +159,9 @@ test("a curvature that may as well be nothing is told as 0", () => {
   expect(told["Gaussian curvature"]).toBe("−6.307 to 0 /cm²");
 });
 
-test("in inches what is fired is weighed in pounds too", () => {
+test("in inches what is fired is weighed in pounds too, and volumes are told in measures of the United States", () => {
+  expect(lines(MEASURES, "in").Volume?.replaceAll("\u00a0", " ")).toMatch(/ l .*\([\d.]+ US (pt|gal)\)$/);
+  expect(holdsText(MEASURES, "in").replaceAll("\u00a0", " ")).toMatch(/^Holds 1.82 US gal to the brim/);
   expect(lines(MEASURES, "in")["Mass, fired"]).toBe("207 g (0.456 lb)");
 });
 

@@ -1,10 +1,9 @@
 /** Measures as the panel lists them, and what can be said of a pot that holds water. */
 
 import type { Curvature, Measures, PartMeasures, Quantity, Triple, Unit } from "../document/types";
-import { millilitres } from "../document/volume";
 import { isolated } from "../language";
 import { formatNumber } from "../number";
-import { customaryWords, poundsShown } from "./customary";
+import { localVolumeWords, poundsShown } from "./customary";
 import { measures as said } from "./english/measures";
 import { quantities } from "./english/quantities";
 import { dryWords } from "./making";
@@ -19,7 +18,6 @@ import {
   massShown,
   type Shown,
   volumeShown,
-  volumeWords,
   words,
 } from "./quantities";
 
@@ -105,7 +103,7 @@ function held(measures: Measures, unit: Unit): readonly Group[] {
   const { brim, spill, stopped } = capacity;
   const notes = [
     ...(stopped ? [said.stopped] : []),
-    ...(unit === "in" ? [customaryWords(millilitres(brim.value, unit))] : []),
+    ...(unit === "in" ? [localVolumeWords(brim.value, unit, 3)] : []),
   ];
   return [
     {
@@ -129,12 +127,13 @@ export function emptyReason({ parts }: Measures, unit: Unit): string {
 
 function clay({ clay: body }: Measures, unit: Unit): readonly Group[] {
   if (!body) return [];
+  const pints = unit === "in" ? localVolumeWords(body.volume.value, unit, 3) : undefined;
   const pounds = unit === "in" ? words(body.mass.value, poundsShown(), 3) : undefined;
   return [
     {
       title: said.clay,
       lines: [
-        quantity(said.volume, body.volume, volumeShown(body.volume.value, unit)),
+        quantity(said.volume, body.volume, volumeShown(body.volume.value, unit), pints),
         quantity(said.mass, body.mass, massShown(body.mass.value), pounds),
         quantity(said.glazed, body.area, areaShown(unit)),
       ],
@@ -245,6 +244,6 @@ function quantity(name: string, { value, error }: Quantity, shown: Shown, note?:
 export function holdsText(measures: Measures, unit: Unit): string {
   const { capacity } = measures;
   if (!capacity) return emptyReason(measures, unit);
-  const volume = volumeWords(capacity.brim.value, unit, 3);
+  const volume = localVolumeWords(capacity.brim.value, unit, 3);
   return capacity.stopped ? said.holdsStopped(volume) : said.holds(volume);
 }

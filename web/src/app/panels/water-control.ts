@@ -10,7 +10,8 @@ import { setFill, setWater } from "../../state/wall-actions";
 import { base, buttons } from "../../ui/styles";
 import { page } from "../../words/english/page";
 import { water as words } from "../../words/english/water";
-import { lengthWords, volumeWords } from "../../words/quantities";
+import { localVolumeWords } from "../../words/customary";
+import { lengthWords } from "../../words/quantities";
 import { refusalWords } from "../../words/refusals";
 
 @customElement("pasu-water")
@@ -56,7 +57,7 @@ export class PasuWater extends DesignerElement {
               <p class="hint">
                 ${words.sentences([
                   words.deep(lengthWords(fill * (range.high - range.low), unit, 3)),
-                  fill < 1 ? words.toBrim(volumeWords(measures.capacity?.brim.value ?? 0, unit, 3)) : words.isBrim,
+                  fill < 1 ? words.toBrim(localVolumeWords(measures.capacity?.brim.value ?? 0, unit, 3)) : words.isBrim,
                 ])}
               </p>
               <label>
@@ -78,7 +79,7 @@ export class PasuWater extends DesignerElement {
     if (water?.problem) return refusalWords(water.problem, this.designer.state.design);
     const volume = water?.value?.volume ?? null;
     return volume !== null && water?.of && made?.isOfNow(water)
-      ? volumeWords(volume, unitOf(water.of), 4)
+      ? localVolumeWords(volume, unitOf(water.of), 4)
       : words.coming;
   }
 
