@@ -1263,3 +1263,51 @@ test("that a large file is being opened is said and shown, and can be stopped", 
   await pot.button("Stop").waitFor({ state: "detached" });
   await pot.leave();
 });
+
+test("a region round a corner of five patches is refused while it is drawn, and nothing is changed", async () => {
+  const pot = await here.enter();
+  const { page } = pot;
+  page.setDefaultTimeout(20_000);
+  const first = await pot.fingerprint();
+  // Point 0 in the middle, ten round it; a middle on every edge: those from the middle, and those of the rim.
+  const corners = Array.from({ length: 10 }, (_, each) => (each * Math.PI) / 5).map((turn) => [
+    6 * Math.cos(turn),
+    6 * Math.sin(turn),
+  ]);
+  const half = (one: readonly number[], other: readonly number[]) => one.map((x, axis) => (x + (other[axis] ?? 0)) / 2);
+  const at = (place: number) => corners[place % 10] ?? [];
+  const spokes = [0, 2, 4, 6, 8].map((place) => half([0, 0], at(place)));
+  const rim = corners.map((corner, place) => half(corner, at(place + 1)));
+  const vertices = [[0, 0], ...corners, ...spokes, ...rim].map(([x, y]) => [x, y, 0]);
+  const patches = [0, 1, 2, 3, 4].map((each) => {
+    const [own, next] = [2 * each, (2 * each + 2) % 10];
+    return { frame: [0, 11 + each, 1 + own, 16 + own, 2 + own, 17 + own, 1 + next, 11 + ((each + 1) % 5)] };
+  });
+  const shape = { kind: "vertex-frame", vertices, patches };
+  await pot.dropFile("five.json", JSON.stringify({ pasu: 1, parts: [{ shape }] }));
+  const plain = await pot.fingerprintOtherThan(first);
+  await points(pot);
+  await page.getByRole("radio", { name: "draws a region" }).check();
+  const [from, corner, beside, across] = [
+    await middle(pot, "patch 0"),
+    await middle(pot, "vertex 0"),
+    await middle(pot, "patch 1"),
+    await middle(pot, "patch 3"),
+  ];
+  const near = (to: readonly [number, number]) =>
+    [corner[0] + 0.5 * (to[0] - corner[0]), corner[1] + 0.5 * (to[1] - corner[1])] as const;
+  const refused = page.getByText("no region can lie round it");
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  // Over the edge alone, and then round the corner as well.
+  await page.mouse.move(...near(beside), { steps: 4 });
+  expect(await refused.count()).toBe(0);
+  await page.mouse.move(...near(across), { steps: 4 });
+  await refused.waitFor();
+  await page.mouse.up();
+  await refused.waitFor();
+  await pot.shows(plain);
+  await pot.undo();
+  await pot.shows(first);
+  expect(await pot.history("Undo").isEnabled()).toBe(false);
+});

@@ -17,8 +17,8 @@ import type { Made } from "../work/made";
 import type { Piece } from "../work/piece";
 import type { Shown } from "../work/surface";
 import "./water-handle";
-import { page } from "../words/english/page";
 import { localVolumeWords } from "../words/customary";
+import { page } from "../words/english/page";
 import { lengthWords } from "../words/quantities";
 import type { PasuWaterHandle } from "./water-handle";
 

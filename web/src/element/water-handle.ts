@@ -6,8 +6,8 @@ import { unitOf } from "../document/look";
 import type { Hold } from "../render/made/made";
 import { setFill } from "../state/wall-actions";
 import { base } from "../ui/styles";
-import { page } from "../words/english/page";
 import { localVolumeWords } from "../words/customary";
+import { page } from "../words/english/page";
 import { DesignerElement } from "./designer-element";
 import { fillAfter } from "./water-keys";
 

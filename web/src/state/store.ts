@@ -117,8 +117,8 @@ export class Store {
   /** Ends the gesture: the next change is a step of its own. Who follows {@link inGesture} can settle. */
   endGesture(): void {
     // What ended where it began is no step, though what may be left out be written out now: undo would do nothing.
-    const { past } = this.#history.peek();
-    if (this.inGesture && isAlike(meant(past.at(-1)?.design), meant(this.#design.peek()))) this.cancelGesture();
+    const before = this.#history.peek().past.at(-1);
+    if (before && isAlike(meant(before.design), meant(this.#design.peek()))) this.cancelGesture();
     this.#history.value = endMerge(this.#history.peek());
   }
 
@@ -193,9 +193,11 @@ export class Store {
 }
 
 /** The design with all that its shapes and placements may leave out. */
-function meant(design: Design | undefined): unknown {
-  return {
-    ...design,
-    parts: design?.parts.map((part) => ({ ...part, shape: filled(part.shape), place: { ...UNMOVED, ...part.place } })),
-  };
+function meant(design: Design): unknown {
+  const parts = design.parts.map((part) => ({
+    ...part,
+    shape: filled(part.shape),
+    place: { ...UNMOVED, ...part.place },
+  }));
+  return { ...design, parts };
 }

@@ -101,10 +101,7 @@ function held(measures: Measures, unit: Unit): readonly Group[] {
   const { capacity } = measures;
   if (!capacity) return [{ title: said.capacity, lines: [], reason: emptyReason(measures, unit) }];
   const { brim, spill, stopped } = capacity;
-  const notes = [
-    ...(stopped ? [said.stopped] : []),
-    ...(unit === "in" ? [localVolumeWords(brim.value, unit, 3)] : []),
-  ];
+  const notes = [...(stopped ? [said.stopped] : []), ...(unit === "in" ? [localVolumeWords(brim.value, unit, 3)] : [])];
   return [
     {
       title: said.capacity,

@@ -8,9 +8,9 @@ import { fillAfter } from "../../element/water-keys";
 import { toggleOverlay } from "../../state/actions";
 import { setFill, setWater } from "../../state/wall-actions";
 import { base, buttons } from "../../ui/styles";
+import { localVolumeWords } from "../../words/customary";
 import { page } from "../../words/english/page";
 import { water as words } from "../../words/english/water";
-import { localVolumeWords } from "../../words/customary";
 import { lengthWords } from "../../words/quantities";
 import { refusalWords } from "../../words/refusals";
 

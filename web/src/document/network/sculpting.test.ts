@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 import { NETWORKED } from "../gallery/networks";
 import type { Pair } from "../types";
 import { edgesOf, type Network, sizeOf } from "./network";
-import { seenOn } from "./sculpting";
+import { liesFlat, seenOn } from "./sculpting";
 import { pointOn } from "./surface";
 
 interface Case {
@@ -42,4 +42,20 @@ test("a region goes on over the edges of its patch: from both sides they are see
     }
   }
   expect(lifted).toBeGreaterThan(3);
+});
+
+test("a region lies flat round a corner of four patches, and not round one of three", () => {
+  // Point 0 in the middle, six round it, and a middle on every edge of the patches between them.
+  const frames = [
+    [0, 7, 1, 10, 2, 11, 3, 8],
+    [0, 8, 3, 12, 4, 13, 5, 9],
+    [0, 9, 5, 14, 6, 15, 1, 7],
+  ] as const;
+  const three = { kind: "vertex-frame", vertices: [], patches: frames.map((frame) => ({ frame })) } as Network;
+  expect(liesFlat(three, 0, { u: [-0.2, 0.8], v: [0.1, 0.9] })).toBe(true);
+  expect(liesFlat(three, 0, { u: [0.1, 0.9], v: [-0.2, 0.8] })).toBe(true);
+  expect(liesFlat(three, 0, { u: [-0.2, 0.8], v: [-0.2, 0.8] })).toBe(false);
+  expect(liesFlat(three, 0, { u: [0.2, 1.3], v: [0.2, 1.3] })).toBe(true);
+  const face = NETWORKED.find(({ id }) => id === "own-face")?.shape as Network;
+  for (const patch of face.patches.keys()) expect(liesFlat(face, patch, { u: [-1, 2], v: [-1, 2] })).toBe(true);
 });

@@ -66,6 +66,28 @@ export function unfolded(network: Network, patch: number): readonly Unfolded[] {
   return found;
 }
 
+/** Whether the rectangle of a force can lie flat on the patches that it reaches: round a corner at which not four of them meet it cannot, and is refused by the solver. */
+export function liesFlat(network: Network, patch: number, { u = UNIT, v = UNIT }: Pick<Force, "u" | "v">): boolean {
+  const home: Unfolded = { patch, origin: [0, 0], along: [1, 0], across: [0, 1] };
+  const laid = new Map([["0 0", home]]);
+  // What is laid meanwhile comes in its turn.
+  for (const from of laid.values()) {
+    const [x, y] = cellOf(from);
+    for (let side = 0; side < 4; side += 1) {
+      const beside = across(network, from, side);
+      if (!beside) continue;
+      const [left, low] = cellOf(beside);
+      const goesOn = left < x ? u[0] < x : left > x ? u[1] > left : low < y ? v[0] < y : v[1] > low;
+      if (!goesOn) continue;
+      const cell = `${left} ${low}`;
+      const known = laid.get(cell);
+      if (known && !liesAlike(known, beside)) return false;
+      laid.set(cell, known ?? beside);
+    }
+  }
+  return true;
+}
+
 /** Where a point of the unit square of the first patch lies. */
 export function laidAt({ origin, along, across }: Unfolded, u: number, v: number): Pair {
   return [origin[0] + u * along[0] + v * across[0], origin[1] + u * along[1] + v * across[1]];
@@ -195,6 +217,12 @@ function across(network: Network, from: Unfolded, side: number): Unfolded | null
   return other.side === 2
     ? { patch: other.patch, origin, along: on, across: back }
     : { patch: other.patch, origin, along: back, across: on };
+}
+
+/** Of two in one cell. */
+function liesAlike(one: Unfolded, other: Unfolded): boolean {
+  const ways = ({ along, across }: Unfolded) => `${along} ${across}`;
+  return one.patch === other.patch && ways(one) === ways(other);
 }
 
 /** The lower left corner of its unit square. */

@@ -16,9 +16,11 @@ import {
 } from "../../document/network/moving";
 import { type Network, sizeOf } from "../../document/network/network";
 import {
+  type Force,
   forceFor,
   heightOf,
   laidAt,
+  liesFlat,
   MOST_FORCES,
   pointsAt,
   regionBetween,
@@ -80,6 +82,8 @@ interface Held {
   fresh: boolean;
   /** Where on which patch a region begins. */
   readonly begun: { readonly patch: number; readonly at: Pair } | null;
+  /** Whether the region that is drawn goes round a corner where there can be none. */
+  isBent: boolean;
   now: Spot;
   moves: boolean;
 }
@@ -282,6 +286,7 @@ export class PasuNetworkHandles extends DesignerElement {
       more,
       fresh: picks !== was,
       begun: begun ? { patch: begun.patch, at: [begun.u, begun.v] } : null,
+      isBent: false,
       now: from,
       moves: false,
     };
@@ -375,6 +380,7 @@ export class PasuNetworkHandles extends DesignerElement {
     held.moves = true;
     clearTimeout(this.resting);
     if (!held.item) {
+      this.bend(held);
       this.follow();
       return;
     }
@@ -391,6 +397,15 @@ export class PasuNetworkHandles extends DesignerElement {
           : moving(held.grasp, by, this.met(held));
     this.change(held.network, held.picks, act, `drag ${this.drags}`);
   };
+
+  /** Says so as soon as the region that is drawn comes round a corner where none can lie. */
+  private bend(held: Held): void {
+    const { begun, network, grasp, now } = held;
+    const region = begun && this.regionOf(network, begun, this.endOf(network, begun.patch, grasp.see, now));
+    const isBent = begun !== null && region !== null && !liesFlat(network, begun.patch, region);
+    if (isBent && !held.isBent) this.designer.notices.say(words.bentRegion);
+    held.isBent = isBent;
+  }
 
   /** The point that the hand is over, where points meet. */
   private met({ item, picks, now }: Held): Triple | null {
@@ -435,6 +450,7 @@ export class PasuNetworkHandles extends DesignerElement {
       const isFull = (network.patches[begun.patch]?.forces ?? []).length >= MOST_FORCES;
       // A click is no region: what is as narrow as can be would be a spike.
       if (isFull) this.designer.notices.say(words.noMoreForces(formatNumber(MOST_FORCES)));
+      else if (held.isBent) this.designer.notices.say(words.bentRegion);
       else if (!held.moves || !this.sculpt(held, begun)) this.designer.notices.say(words.noRegion);
       return;
     }
@@ -732,13 +748,16 @@ export class PasuNetworkHandles extends DesignerElement {
   /** Round the region that is being drawn. */
   private outline(network: Network, see: See): readonly Triple[] {
     const { held } = this;
-    if (!held?.begun || !held.moves) return [];
-    const { patch, at } = held.begun;
+    if (!held?.begun || !held.moves || held.isBent) return [];
+    const { patch } = held.begun;
+    const region = this.regionOf(network, held.begun, this.endOf(network, patch, see, held.now));
+    return region ? pointsAt(network, unfolded(network, patch), rimOf(region, 8)) : [];
+  }
+
+  /** From where it begins to there, without a height. */
+  private regionOf(network: Network, { patch, at }: NonNullable<Held["begun"]>, end: Pair | null): Force | null {
     const own = network.patches[patch];
-    const end = this.endOf(network, patch, see, held.now);
-    if (!own || !end) return [];
-    const laid = unfolded(network, patch);
-    return pointsAt(network, laid, rimOf(regionBetween(own, at, end, [0, 0, 0]), 8));
+    return own && end ? regionBetween(own, at, end, [0, 0, 0]) : null;
   }
 
   static override readonly styles = [

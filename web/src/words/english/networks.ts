@@ -113,6 +113,7 @@ export const networks = phrases("networks", {
   falloffs: { smooth: "smoothly", sine: "with a crease at its rim" },
   region: "Draw a region on the stage",
   noRegion: "A region is drawn from one of its corners to the other, both on the surface and few patches apart.",
+  bentRegion: "Where three patches meet in a corner, or five, no region can lie round it. Draw it beside that corner.",
   noMoreForces: (most: string) => `This patch has ${most} forces, and can have no more.`,
   whole: "All patches",
   wholeHelp: "which edges look smooth, and what decides how strips bend",
