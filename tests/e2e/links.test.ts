@@ -217,7 +217,7 @@ test("a link that is dropped or pasted is looked at as it says, like one that is
   await give("drop", link("view=90,90,1&cut=0&show=wireframe&map=none", "1/second-order?height=4"));
   const second = await pot.fingerprintOtherThan(first);
   await expect.poll(shown).toEqual(["Wireframe"]);
-  await give("paste", `See ${link("view=10,80,2&cut=0&show=isoU,axes&map=overhang", "1/second-order?height=5")}`);
+  await give("paste", `See ${link("view=10,80,2&cut=0&show=isoU,axes&map=overhang", "1/second-order?height=5")}, and tell me.`);
   await pot.fingerprintOtherThan(second);
   await expect.poll(shown).toHaveLength(2);
   await pot.tab("Measures");
@@ -225,4 +225,27 @@ test("a link that is dropped or pasted is looked at as it says, like one that is
   // What is no link is left to whoever it was meant for.
   await give("paste", "milk, eggs");
   expect(await pot.page.getByRole("alert").count()).toBe(0);
+});
+
+test("a shortcut or a text that is dropped is looked at as the link in it says", async () => {
+  const pot = await here.enter();
+  const first = await pot.fingerprint();
+  const link = (design: string) => `${here.site.url}?view=90,90,1&cut=0&show=wireframe&map=none#${design}`;
+  const wire = () => pot.page.getByRole("checkbox", { name: "Wireframe" });
+  await pot.button("Overlays").click();
+  await pot.dropFile("pot.url", `[InternetShortcut]\r\nURL=${link("1/second-order?height=4")}\r\n`);
+  const second = await pot.fingerprintOtherThan(first);
+  await expect.poll(() => wire().isChecked()).toBe(true);
+  await wire().uncheck();
+  await pot.dropFile("mail.txt", `Look at this (${link("1/second-order?height=5")}), and tell me.`);
+  await pot.fingerprintOtherThan(second);
+  await expect.poll(() => wire().isChecked()).toBe(true);
+});
+
+test("of two parts of one name in a file it is said which has to change, and which has it", async () => {
+  const pot = await here.enter();
+  await pot.fingerprint();
+  const part = (name: string) => ({ name, shape: { kind: "second-order", r: [1, 0.1, 0.6, 0.06] } });
+  await pot.dropFile("two.json", JSON.stringify({ pasu: 1, parts: [part("A"), part("B"), part("A")] }));
+  await expect.poll(() => pot.page.getByRole("alert").innerText()).toContain("Part 3, Name: Part 1 has the same one.");
 });

@@ -6,7 +6,7 @@ import { spokenTag } from "./language";
 import { SolverClient } from "./solver/client";
 import { startWorker } from "./solver/start";
 import { browserShelf, tabShelf } from "./state/storage";
-import { VIEW_KEYS } from "./state/view-keys";
+import { saysView, VIEW_KEYS } from "./state/view-keys";
 import { pictured } from "./sw/pictured";
 import { onNewVersion } from "./sw/renewed";
 import { choose } from "./words/languages";
@@ -54,7 +54,7 @@ function start(): void {
 
 async function begin({ opening }: Designer, app: PasuApp): Promise<void> {
   const { search, hash } = location;
-  const seen = VIEW_KEYS.some((key) => new URLSearchParams(search).has(key));
+  const seen = saysView(search);
   // From here on the person looks at the pot as they like, also after a reload.
   if (seen) history.replaceState(null, "", address() + hash);
   await opening.start();

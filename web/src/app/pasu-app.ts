@@ -3,10 +3,9 @@
 import { effect } from "@preact/signals-core";
 import { css, html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
-import { scanKind } from "../document/scanned/file-kind";
 import type { Design, Refusal } from "../document/types";
 import { DesignerElement } from "../element/designer-element";
-import { VIEW_KEYS } from "../state/view-keys";
+import { saysView } from "../state/view-keys";
 import { icon } from "../ui/icons";
 import { fileName, pickFile, saveBlob } from "../work/files";
 import type { Surprises } from "../work/surprises";
@@ -20,7 +19,7 @@ import { base, buttons } from "../ui/styles";
 import { outward } from "./outward";
 import type { PasuPanel } from "./side-panel";
 import "./top-bar";
-import { isolated, listed } from "../language";
+import { isolated } from "../language";
 import { page } from "../words/english/page";
 import { refusalWords } from "../words/refusals";
 import { fetchMadeWhenWanted } from "./wanted-making";
@@ -408,51 +407,30 @@ export class PasuApp extends DesignerElement {
     void this.openText(text);
   };
 
-  /** Opens a link or a document; a link that says how its pot is looked at is shown so, as it is when the page is opened by it. */
+  /** Opens a document, or the link in a text. */
   private async openText(text: string): Promise<void> {
-    const { opening } = this.designer;
-    await opening.openText(text);
-    const [, search = "", fragment = ""] = VIEWED_LINK.exec(text) ?? [];
-    if (opening.problem === null && VIEW_KEYS.some((key) => new URLSearchParams(search).has(key)))
-      await this.showViewed(search, fragment);
+    const reader = await import("../work/link-in-text").catch(() => null);
+    const link = reader?.linkInText(text) ?? text;
+    await this.designer.opening.openText(link);
+    await this.showOpened(link);
   }
 
-  /** Opens the first that is a design, or else the first that may be a scan, and says of each of several what became of it. */
+  /** What a link says of how its pot is looked at, as when the page is opened by it. */
+  private async showOpened(text = ""): Promise<void> {
+    const [, search = "", fragment = ""] = VIEWED_LINK.exec(text) ?? [];
+    if (this.designer.opening.problem === null && saysView(search)) await this.showViewed(search, fragment);
+  }
+
   private async openFiles(files: readonly File[]): Promise<void> {
-    const { designer } = this;
-    const { opening } = designer;
-    const refused: File[] = [];
-    const scans: File[] = [];
-    for (const file of files) {
-      // Who stops one wants none of the others.
-      if (!(await opening.openFile(file))) return;
-      if (opening.problem === null) break;
-      refused.push(file);
-      // Triangles without a design may be a scan of a pot.
-      if (opening.problem.code === "no-design" && scanKind(file.name)) scans.push(file);
-    }
-    const [scan] = scans;
-    if (scan && refused.length === files.length) {
-      opening.dismissProblem();
-      this.scan = scan;
-      await this.show("scan");
-      const others = refused.filter((file) => !scans.includes(file));
-      const left = [
-        ...(others.length > 0 ? [page.notOpened(quoted(others))] : []),
-        ...(scans.length > 1 ? [page.leftOut(quoted(scans.slice(1)))] : []),
-      ];
-      if (left.length > 0) designer.notices.say(page.sentences(left));
-      return;
-    }
-    if (files.length === 1) return;
-    const opened = files[refused.length];
-    const left = opened ? files.slice(refused.length + 1) : [];
-    const told = [
-      opened ? page.opened(quoted([opened])) : page.noneOpened(quoted(files)),
-      ...(opened && refused.length > 0 ? [page.notOpened(quoted(refused))] : []),
-      ...(left.length > 0 ? [page.leftOut(quoted(left))] : []),
-    ];
-    designer.notices.say(page.sentences(told));
+    const opener = await import("./open-files").catch(() => null);
+    if (!opener) this.designer.notices.say(page.unfetched);
+    await opener?.openFiles(this.designer, files, {
+      opened: (text) => this.showOpened(text),
+      scan: async (file) => {
+        this.scan = file;
+        await this.show("scan");
+      },
+    });
   }
 
   static override readonly styles = [
@@ -605,11 +583,6 @@ function explain(problem: Refusal, design: Design | null, comfort: string) {
   return html`<p>
     ${refusalWords(problem, design)}<small>${comfort}${problem.path === "" ? nothing : html` <code>${problem.path}</code>`}</small>
   </p>`;
-}
-
-/** The names of files, as they stand in a sentence. */
-function quoted(files: readonly File[]): string {
-  return listed(files.map(({ name }) => page.quoted(isolated(name))));
 }
 
 const TEXT_TYPES = new Set(["text", "search", "url", "email", "tel", "password", "number"]);

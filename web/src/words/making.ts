@@ -4,7 +4,7 @@ import type { Cause, Refusal, Unit } from "../document/types";
 import { formatNumber } from "../number";
 import { making } from "./english/making";
 import { lengthWords } from "./quantities";
-import { numberOf, type Statement, tellOfMaking, textOf, whyWords } from "./refusals";
+import { numberOf, type Statement, tellOf, textOf, whyWords } from "./refusals";
 
 /** Digits of lengths that stand in the way. */
 const LENGTH_DIGITS = 4;
@@ -103,7 +103,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
   "no-room": (refusal, unit) => steppedOver(refusal, unit, noRoomFor(refusal, unit)),
 };
 
-tellOfMaking(STATEMENTS);
+tellOf(STATEMENTS);
 
 function noRoomFor(refusal: Refusal, unit: Unit | null): string | null {
   const said = making.noRoom;

@@ -16,7 +16,7 @@ import { partName } from "./parts";
 
 /** Why, where the place already says of what. `unit` is that of the lengths, where it is known. */
 export function whyWords(refusal: Refusal, unit: Unit | null = null): string {
-  const own = ofMaking[refusal.code]?.(refusal, unit) ?? STATEMENTS[refusal.code]?.(refusal, unit) ?? null;
+  const own = later[refusal.code]?.(refusal, unit) ?? STATEMENTS[refusal.code]?.(refusal, unit) ?? null;
   return own ?? refusals.general[refusal.code] ?? libraryWords(refusal.message);
 }
 
@@ -37,12 +37,12 @@ export function refusalWords(refusal: Refusal, design: Design | null = null): st
 
 export type Statement = (refusal: Refusal, unit: Unit | null) => string | null;
 
-/** What only makers refuse. */
-let ofMaking: Readonly<Record<string, Statement>> = {};
+/** What only makers refuse, and what only files have. */
+const later: Record<string, Statement> = {};
 
-/** From here on refusals of makers are told by these. They come with what makes pots: nobody waits for them before there is a wall. */
-export function tellOfMaking(statements: Readonly<Record<string, Statement>>): void {
-  ofMaking = statements;
+/** From here on these tell of refusals too. They come with what makes pots or reads files: nobody waits for them before. */
+export function tellOf(statements: Readonly<Record<string, Statement>>): void {
+  Object.assign(later, statements);
 }
 
 /** Null where what the refusal names is not enough for a sentence of the page's own. */

@@ -86,3 +86,28 @@ test("a document does not say how it is to be made", async () => {
   const file = new File(['{"pasu": 1}'], "vase.json");
   expect(await readFile(file, none)).toEqual({ text: '{"pasu": 1}', made: null });
 });
+
+test.each([
+  [
+    "See https://pasu.example/?view=1,80,2#1/second-order?height=5, and tell me.",
+    "?view=1,80,2#1/second-order?height=5",
+  ],
+  ["My pot (https://pasu.example/#1~eNoV_-x); yours: https://pasu.example/#1~other", "#1~eNoV_-x"],
+  ["It is \u201chttps://pasu.example/#1/second-order?height=5\u201d.\n", "#1/second-order?height=5"],
+  ["<https://pasu.example/#1/second-order>", "#1/second-order"],
+])("of a text about a link the link is opened: %s", async (text, link) => {
+  expect(await readFile(new File([text], "mail.txt"), none)).toEqual({
+    text: `https://pasu.example/${link}`,
+    made: null,
+  });
+});
+
+test("a text without a link, a bare link and a document are read as they are", async () => {
+  for (const text of ["milk, eggs", "1/second-order?height=5", '{"pasu": 1, "title": "#1/ and more"}'])
+    expect(await readFile(new File([text], "pot.txt"), none)).toEqual({ text, made: null });
+  // However often a link seems to begin, each letter is looked at once or twice.
+  const begun = performance.now();
+  await readFile(new File(["http:#1".repeat(1 << 20)], "pot.txt"), none);
+  await readFile(new File([`${"?".repeat(1 << 22)} #1/`], "pot.txt"), none);
+  expect(performance.now() - begun).toBeLessThan(2000);
+});

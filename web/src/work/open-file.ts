@@ -4,7 +4,9 @@ import type { Making, Refusal } from "../document/types";
 import { isolated } from "../language";
 import type { MakerClient } from "../maker/client";
 import { opening } from "../words/english/opening";
+import "../words/taken-names";
 import { decoded } from "./decoded";
+import { linkInText } from "./link-in-text";
 import { isShortcut, linkIn } from "./shortcut";
 
 /** Documents are read as text; the format's own limit is 32 MiB of JSON, and of a link 1 MiB. */
@@ -19,7 +21,10 @@ const OBJECT = /^\ufeff?\s*\{/;
 const BEGINNING = 64;
 
 /** The text of a design, and how the file was made, where it says that. */
-export type Found = { readonly text: string; readonly made: Making | null } | { readonly refusal: Refusal } | null;
+export type Found =
+  | { readonly text: string; readonly made: Making | null }
+  | { readonly text?: never; readonly refusal: Refusal }
+  | null;
 
 /** Null when something newer was opened meanwhile. */
 export async function readFile(file: File, maker: () => Promise<Pick<MakerClient, "ask"> | null>): Promise<Found> {
@@ -44,7 +49,8 @@ async function read(file: File, maker: () => Promise<Pick<MakerClient, "ask"> | 
   if (document) {
     const text = decoded(await bytesOf(file));
     // JSON of another program has not one field too few: it is no design.
-    return OBJECT.test(text) && !text.includes('"pasu"') ? refused("no-design", file.name) : { text, made: null };
+    if (OBJECT.test(text)) return text.includes('"pasu"') ? { text, made: null } : refused("no-design", file.name);
+    return { text: linkInText(text) ?? text, made: null };
   }
   const reader = await maker();
   if (!reader) return null;

@@ -256,7 +256,7 @@ test("opening can be stopped while the file is read, and while it waits to be dr
     opening.stop();
     worker.free = true;
     expect(opening.underway).toBeNull();
-    expect(await giving).toBe(late);
+    expect(Boolean(await giving)).toBe(late);
     await worker.finish();
     await rests();
     expect(store.design).toBe(JAR);

@@ -8,6 +8,7 @@ import type { Parsed } from "../solver/messages";
 import { openDesign } from "../state/actions";
 import type { Store } from "../state/store";
 import type { Keeper } from "./keeper";
+import type { Found } from "./open-file";
 import type { Origin } from "./origin";
 import type { Surface } from "./surface";
 
@@ -162,18 +163,18 @@ export class Opening {
     await this.#openText(text, false);
   }
 
-  /** Opens a document, or anything that Pasu made and that holds its link; false where that was stopped, or another file was given. */
-  async openFile(file: File): Promise<boolean> {
+  /** Opens a document, or anything that Pasu made and that holds its link: what was found, or false where that was stopped, or another file was given. */
+  async openFile(file: File): Promise<Found | false> {
     const { underway, stopped } = this.#take(file);
     const found = await import("./open-file").then(
       ({ readFile }) => readFile(file, this.#maker),
       () => null,
     );
     if (stopped.aborted) return false;
-    if (found && "text" in found) await this.#openText(found.text, false, found.made, underway);
-    else if (found) this.#problem.value = found.refusal;
+    if (found && "refusal" in found) this.#problem.value = found.refusal;
+    else if (found) await this.#openText(found.text, false, found.made, underway);
     if (this.#underway.peek() === underway) this.#underway.value = null;
-    return found !== null && !stopped.aborted;
+    return !stopped.aborted && found;
   }
 
   /** Opens the design that something else reads of a file, unless that finds none; whether it did. It is told when it is stopped, or another file is given. */
