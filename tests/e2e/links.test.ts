@@ -217,7 +217,10 @@ test("a link that is dropped or pasted is looked at as it says, like one that is
   await give("drop", link("view=90,90,1&cut=0&show=wireframe&map=none", "1/second-order?height=4"));
   const second = await pot.fingerprintOtherThan(first);
   await expect.poll(shown).toEqual(["Wireframe"]);
-  await give("paste", `See ${link("view=10,80,2&cut=0&show=isoU,axes&map=overhang", "1/second-order?height=5")}, and tell me.`);
+  await give(
+    "paste",
+    `See ${link("view=10,80,2&cut=0&show=isoU,axes&map=overhang", "1/second-order?height=5")}, and tell me.`,
+  );
   await pot.fingerprintOtherThan(second);
   await expect.poll(shown).toHaveLength(2);
   await pot.tab("Measures");

@@ -249,7 +249,7 @@ export class PasuApp extends DesignerElement {
         return;
       case "open": {
         const file = await pickFile(
-          ".json,.txt,.url,.webloc,.stl,.3mf,.glb,.obj,.zip,.ply,.step,.svg,application/json",
+          ".json,.txt,.url,.website,.desktop,.webloc,.stl,.3mf,.glb,.obj,.zip,.ply,.step,.svg,application/json",
         );
         if (file) await this.openFiles([file]);
         return;
