@@ -3,6 +3,7 @@
 import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
 import { standing } from "../support/placing.ts";
+import { unreachable } from "../support/reach.ts";
 import { stay } from "../support/stay.ts";
 import { PHONE, type Visit, type VisitOptions } from "../support/visit.ts";
 
@@ -181,6 +182,16 @@ test("on a phone it is moved by a finger", async () => {
   await pot.page.touchscreen.tap(box.x + 0.5 * box.width, box.y + box.height / 2);
   await expect.poll(async () => (await alongX(pot))[1]).toBeGreaterThan(4.5);
   expect(await findings(pot)).toEqual([]);
+});
+
+test("on a narrow phone the settings of a slider with a long label are no wider than the panel", async () => {
+  const label = "Pull the drawer as far out as it goes without falling, twice";
+  const [first, drawer, knob] = CABINET.parts;
+  const parts = [first, { ...drawer, joints: { x: { label, limits: [4, 6], glued: true } } }, knob] as object[];
+  const pot = await scene({ ...CABINET, parts }, { ...PHONE, viewport: { width: 320, height: 640 } });
+  await settings(pot, label).click();
+  await pot.button("Take this slider away").waitFor();
+  expect(await unreachable(pot)).toEqual([]);
 });
 
 test("the slider of a copy, which has the same label, is told from the first by its part", async () => {

@@ -264,6 +264,8 @@ export class PasuJoints extends DesignerElement {
       }
       details[open] {
         display: grid;
+        /* A long label is cut off as it is while this is closed. */
+        grid-template-columns: minmax(0, 1fr);
       }
       .ends {
         display: grid;
