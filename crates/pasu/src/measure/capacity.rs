@@ -59,7 +59,7 @@ answers! {
     }
 }
 
-/// The most work on what a pot holds, in the units of [`watch::work`]: about a second in WebAssembly.
+/// The most work on what a pot holds, and as much again up to a level, in the units of [`watch::work`]: about a second in WebAssembly.
 pub(super) const MOST_WORK: u64 = 80_000_000;
 
 /// Why nobody knows.
@@ -163,41 +163,52 @@ impl<'a> Vessel<'a> {
 
     /// What it holds, and the water at the brim; the reason in words where that is nothing.
     pub(crate) fn capacity(&self, accuracy: &Accuracy, fill: Option<f64>) -> Result<(Capacity, Filling), Dry> {
-        watch::within(MOST_WORK, || self.found(accuracy, fill)).unwrap_or_else(|| Err(too_long()))
-    }
-
-    fn found(&self, accuracy: &Accuracy, fill: Option<f64>) -> Result<(Capacity, Filling), Dry> {
-        let ponds = self.ponds()?;
+        let (ponds, full) = soon(|| {
+            let ponds = self.ponds()?;
+            let full = filled(&ponds, accuracy, f64::INFINITY);
+            Ok((ponds, full))
+        })?;
         let main = ponds.first().ok_or_else(dry)?;
-        let water = |pond: &Pond, z: f64| {
-            let level = z.min(pond.spill.value);
-            if !(level > pond.floor) {
-                return Filling::default();
-            }
-            let mut water = pond.level(level, pond.inside.n_columns()).filling(accuracy);
-            // What the level is off by more than rounding is there or is missing all over the water.
-            let rounding = Quantity::rounded(pond.spill.value, pond.inside.size()).error;
-            if level == pond.spill.value {
-                water.moments.volume.error += (pond.spill.error - rounding).max(0.0) * water.area.value.abs();
-            }
-            water
+        let filled_to = |level: f64| {
+            // To the brim is what is known already.
+            let is_full = ponds.iter().all(|pond| level >= pond.spill.value);
+            let water = if is_full { full } else { soon(|| Ok(filled(&ponds, accuracy, level)))? };
+            Ok::<_, Dry>(Fill { level, volume: water.moments.volume })
         };
-        let filled = |z: f64| {
-            let all = ponds.iter().map(|pond| water(pond, z));
-            all.reduce(|sum, next| Filling { moments: sum.moments.plus(&next.moments), area: sum.area + next.area })
-                .unwrap_or_default()
-        };
-        let full = filled(f64::INFINITY);
-        let fill = fill
-            .map(|fill| fill.min(main.spill.value))
-            .map(|level| Fill { level, volume: filled(level).moments.volume });
         let capacity = Capacity {
             brim: full.moments.volume,
             spill: Spill { level: main.spill, at: main.at.to_array() },
             floor: main.floor,
-            fill,
+            fill: fill.map(|fill| filled_to(fill.min(main.spill.value))).transpose()?,
             stopped: self.is_stopped,
         };
         Ok((capacity, full))
     }
+}
+
+/// What is found within the [most work](MOST_WORK).
+fn soon<T>(find: impl FnOnce() -> Result<T, Dry>) -> Result<T, Dry> {
+    watch::within(MOST_WORK, find).unwrap_or_else(|| Err(too_long()))
+}
+
+/// All waters together, up to a level.
+fn filled(ponds: &[Pond], accuracy: &Accuracy, z: f64) -> Filling {
+    let all = ponds.iter().map(|pond| water(pond, accuracy, z));
+    all.reduce(|sum, next| Filling { moments: sum.moments.plus(&next.moments), area: sum.area + next.area })
+        .unwrap_or_default()
+}
+
+/// One water, up to a level.
+fn water(pond: &Pond, accuracy: &Accuracy, z: f64) -> Filling {
+    let level = z.min(pond.spill.value);
+    if !(level > pond.floor) {
+        return Filling::default();
+    }
+    let mut water = pond.level(level, pond.inside.n_columns()).filling(accuracy);
+    // What the level is off by more than rounding is there or is missing all over the water.
+    let rounding = Quantity::rounded(pond.spill.value, pond.inside.size()).error;
+    if level == pond.spill.value {
+        water.moments.volume.error += (pond.spill.error - rounding).max(0.0) * water.area.value.abs();
+    }
+    water
 }

@@ -137,6 +137,9 @@ pub(crate) struct Wet {
 /// Heights that differ by less than this part of the largest coordinate are one.
 pub(crate) const LEVEL: f64 = 1e-13;
 
+/// A crest is smooth where what a face rises by in this part of it is rounding.
+const SMOOTH: f64 = 1e-6;
+
 /// Low places of the brim that are looked at more closely: petals repeat the same one.
 const LOWS: usize = 6;
 
@@ -370,8 +373,14 @@ impl<'a> Inside<'a> {
     /// The stretches of a column that are below a level.
     pub(crate) fn wet(&self, column: &Column, level: f64) -> Vec<Wet> {
         // What is level to within rounding is dry in every column, or the rim of an upright pot would be wet here and there.
-        let level = level - LEVEL * self.size;
+        let rounding = LEVEL * self.size;
+        let level = level - rounding;
         let v = column.v;
+        // Just below a smooth crest that is as high as the level a column would end anywhere within a millionth: it ends on the crest.
+        let is_brim = |index: usize, sample: &Sample| {
+            let is_last = self.chosen.is_none() && index + 1 == column.samples.len();
+            is_last && sample.z - level <= 2.0 * rounding && sample.slope.abs() * SMOOTH <= rounding
+        };
         let mut wet: Vec<Wet> = Vec::with_capacity(self.links.len());
         let mut start: Option<(f64, bool)> = None;
         let mut put = |link: usize, (from, is_cut): (f64, bool), to: f64, ends: bool| {
@@ -390,7 +399,7 @@ impl<'a> Inside<'a> {
                 let cut = |from: (f64, f64), to: (f64, f64)| illinois::root(from, to, height);
                 let (s0, z0, s1, z1) = (before.s, before.z - level, sample.s, sample.z - level);
                 if (z0 < 0.0) != (z1 < 0.0) {
-                    let s = cut((s0, z0), (s1, z1));
+                    let s = if z0 < 0.0 && is_brim(index, sample) { s1 } else { cut((s0, z0), (s1, z1)) };
                     match start.take() {
                         Some(from) => put(sample.link, from, s, true),
                         None => start = Some((s, true)),

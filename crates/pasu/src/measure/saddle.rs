@@ -38,6 +38,9 @@ const WIDTH: usize = 2 * CUTS + 1;
 /// On which bank the points of a window are.
 type Banks = [[Bank; WIDTH]; WIDTH];
 
+/// Whether a vertex of the grid is on the bank to which rows lead that go back, or that go on, from a saddle.
+type Sides<'a> = dyn Fn(usize, usize) -> bool + 'a;
+
 /// The faces of a body with their rows as one coordinate, in which whole numbers are the rows of the grid.
 struct Chain<'a> {
     ground: &'a Ground,
@@ -62,6 +65,13 @@ impl Chain<'_> {
         self.walks[link].jet(s.clamp(0.0, 1.0), v).position.z
     }
 
+    /// The vertex of the grid next to a place whose row is a whole number.
+    fn vertex(&self, row: f64, v: f64) -> usize {
+        let row = if self.ground.is_ring() { row.rem_euclid(self.last()) } else { row };
+        let column = libm::round(v / turn(1, self.ground.n_columns()));
+        self.ground.vertex(row as usize, column.rem_euclid(self.ground.n_columns() as f64) as usize)
+    }
+
     /// The place of the last row.
     fn last(&self) -> f64 {
         (self.ground.n_rows() - 1) as f64
@@ -72,12 +82,24 @@ impl Chain<'_> {
         self.ground.is_ring() || (0.0..=self.last()).contains(&along)
     }
 
-    /// The highest place of a column next to a row, and its height.
-    fn crest(&mut self, row: f64, v: f64) -> (f64, f64) {
-        let rows = (-BESIDE..=BESIDE).map(|by| row + f64::from(by)).filter(|row| self.is_there(*row));
-        let rows: Vec<f64> = rows.collect();
-        let heights: Vec<(f64, f64)> = rows.into_iter().map(|row| (row, self.height(row, v))).collect();
-        let Some(&(top, z)) = heights.iter().max_by(|x, y| x.1.total_cmp(&y.1)) else { return (row, f64::NAN) };
+    /// The highest place of a column next to a row, and its height. What is beyond either bank is no crest of this ridge, however high: of a recess that is partly dry the middle is two rows away.
+    fn crest(&mut self, row: f64, v: f64, banks: &Sides) -> (f64, f64) {
+        let (mut top, mut z) = (row, self.height(row, v));
+        for (way, step) in [-1.0, 1.0].into_iter().enumerate() {
+            for by in 0..=BESIDE {
+                let next = row + step * f64::from(by);
+                if !self.is_there(next) {
+                    break;
+                }
+                let here = self.height(next, v);
+                if here > z {
+                    (top, z) = (next, here);
+                }
+                if banks(way, self.vertex(next, v)) {
+                    break;
+                }
+            }
+        }
         let mut best = (top, z);
         // Between two rows it is smooth.
         for from in [top - 1.0, top] {
@@ -95,7 +117,7 @@ impl Chain<'_> {
 }
 
 /// Rows on either side of a saddle among which the crest of a column is looked for.
-const BESIDE: i32 = 3;
+const BESIDE: u8 = 3;
 
 /// How closely a crest is found, in rows, and the lowest of crests, in columns: what is left of their height is rounding.
 const FLAT: f64 = 1e-9;
@@ -117,21 +139,23 @@ pub(super) fn saddle(whole: &Inside, ground: &Ground, vertex: usize, bank: impl 
     let sides = [-1, 1].map(|way| side(Box::new((1..rows).map_while(move |by| ground.row_beyond(row, way * by)))));
     match sides {
         [Some(one), Some(other)] if one != other => {
-            lowest_crest(&mut chain, row as f64, turn(column, ground.n_columns()))
+            let banks = [one, other];
+            let is_on = |way: usize, other: usize| bank(other) == banks[way];
+            lowest_crest(&mut chain, row as f64, turn(column, ground.n_columns()), &is_on)
         }
         _ => narrowed(&mut chain, vertex, bank),
     }
 }
 
 /// The lowest crest of neighbouring columns, each of which goes over the ridge between both sides.
-fn lowest_crest(chain: &mut Chain, row: f64, start: f64) -> Saddle {
+fn lowest_crest(chain: &mut Chain, row: f64, start: f64, banks: &Sides) -> Saddle {
     let step = turn(1, chain.ground.n_columns());
     let (mut row, mut v) = (row, start);
-    let (along, z) = chain.crest(row, v);
+    let (along, z) = chain.crest(row, v, banks);
     let mut best = Saddle { z, change: 0.0, at: (chain.place(along), v) };
     for _ in 0..FURTHER {
-        let (at, z) = brent::least(v - step, v + step, FLAT * step, |v| chain.crest(row, v).1);
-        let (along, _) = chain.crest(row, at);
+        let (at, z) = brent::least(v - step, v + step, FLAT * step, |v| chain.crest(row, v, banks).1);
+        let (along, _) = chain.crest(row, at, banks);
         let has_moved = (at - v).abs() > 0.9 * step;
         if z < best.z {
             best = Saddle { z, change: 0.0, at: (chain.place(along), at) };

@@ -5,27 +5,39 @@ use glam::DVec3;
 use super::boxes::{Boxes, DEEPEST, Inside, Node};
 use crate::watch;
 
+/// Points nearer to each other than this part of the size of all are one place: what is between them is rounding, which would stop a ball of no size. How a surface bends there is known from its derivatives.
+const SAME: f64 = 1e-7;
+
 /// Points that may stop a ball.
 #[derive(Debug)]
-pub(super) struct Crowd(Boxes<DVec3>);
+pub(super) struct Crowd {
+    boxes: Boxes<DVec3>,
+    /// The square of how far away a point has to be to count.
+    same: f64,
+}
 
 impl Crowd {
     pub(super) fn new(points: Vec<DVec3>) -> Crowd {
-        Crowd(Boxes::new(points))
+        let boxes = Boxes::new(points);
+        let whole = boxes.node(0);
+        // Of no points at all there is no size.
+        let size = (whole.high - whole.low).max(DVec3::ZERO).length();
+        Crowd { boxes, same: SAME * SAME * size * size }
     }
 
-    /// The radius of the largest ball, up to `most`, that touches `at`, lies on the side of it that `inward` points to, and holds none of the points `Q`: the least of `|Q - P|^2 / (2 N . (Q - P))` over those on that side.
+    /// The radius of the largest ball, up to `most`, that touches `at`, lies on the side of it that `inward` points to, and holds none of the points `Q`: the least of `|Q - P|^2 / (2 N . (Q - P))` over those on that side
+    /// that are not at the same place.
     ///
     /// `touched` is the point that stopped the ball at a neighbour, and then that which did here: mostly it is near, and few others have to be looked at.
     pub(super) fn ball(&self, at: DVec3, inward: DVec3, most: f64, touched: &mut Option<DVec3>) -> f64 {
         let mut radius = most;
         let shrink = |point: DVec3, radius: &mut f64| {
             let across = point - at;
-            let depth = inward.dot(across);
+            let (depth, square) = (inward.dot(across), across.length_squared());
             // Most points are outside of the ball, which is seen without dividing.
-            let is_inside = across.length_squared() < 2.0 * depth * *radius;
+            let is_inside = square < 2.0 * depth * *radius && square > self.same;
             if is_inside {
-                *radius = across.length_squared() / (2.0 * depth);
+                *radius = square / (2.0 * depth);
             }
             is_inside
         };
@@ -40,10 +52,10 @@ impl Crowd {
             let index: usize = left[last];
             n_seen += 1;
             // The ball may have shrunk since the node was put aside.
-            if !(power(self.0.node(index), at, inward, radius) < 0.0) {
+            if !(power(self.boxes.node(index), at, inward, radius) < 0.0) {
                 continue;
             }
-            let halves = match self.0.inside(index) {
+            let halves = match self.boxes.inside(index) {
                 Inside::Halves(halves) => halves,
                 Inside::Things(points) => {
                     n_seen += points.len() as u64;
@@ -56,7 +68,7 @@ impl Crowd {
                 }
             };
             // The half that is further inside shrinks the ball by more.
-            let mut halves = halves.map(|half| (half, power(self.0.node(half), at, inward, radius)));
+            let mut halves = halves.map(|half| (half, power(self.boxes.node(half), at, inward, radius)));
             if halves[0].1 < halves[1].1 {
                 halves.swap(0, 1);
             }
@@ -90,6 +102,19 @@ mod tests {
     fn plain(points: &[DVec3], at: DVec3, inward: DVec3, most: f64) -> f64 {
         let across = points.iter().map(|point| *point - at).filter(|across| inward.dot(*across) > 0.0);
         across.map(|across| across.length_squared() / (2.0 * inward.dot(across))).fold(most, f64::min)
+    }
+
+    #[test]
+    fn the_place_itself_but_for_rounding_stops_no_ball() {
+        let [at, across] = [DVec3::new(0.1, 0.2, 0.3), DVec3::new(0.3, 0.2, 0.3)];
+        let twin = DVec3::new(0.1 + 1e-16, 0.2, 0.3 + 1e-16);
+        assert!(twin != at);
+        let ball = |points: &[DVec3]| Crowd::new(points.to_vec()).ball(at, DVec3::X, 9.0, &mut None);
+        assert_eq!(ball(&[across, twin]), ball(&[across]));
+        assert!((ball(&[across]) - 0.1).abs() < 1e-15);
+        // In one place are all of these, however many.
+        assert_eq!(ball(&[at, twin]), 9.0);
+        assert_eq!(ball(&[]), 9.0);
     }
 
     /// Points of a shell, of a line, in one place, and all over a cube.

@@ -310,13 +310,26 @@ impl Search<'_> {
         }
     }
 
+    /// Of each sample of a lining whether it is there: a column begins where it is below the floor for the last time.
+    fn are_there(&self, samples: &Samples) -> Vec<bool> {
+        let frame = self.maker.outside.frame();
+        let mut are_there = vec![false; samples.points.len()];
+        for column in 0..samples.columns {
+            let upwards = (column..samples.points.len()).step_by(samples.columns);
+            for k in upwards.rev().take_while(|k| frame.level(samples.points[*k]) >= self.floor) {
+                are_there[k] = true;
+            }
+        }
+        are_there
+    }
+
     /// How far samples above the floor are from the outside.
     fn apart(&self, samples: &Samples, bound: f64) -> Distances {
-        let frame = self.maker.outside.frame();
         let mut least = (f64::INFINITY, DVec3::ZERO);
         let mut all = vec![f64::NAN; samples.points.len()];
         let mut greatest = (0.0f64, 0);
-        for (k, point) in samples.points.iter().enumerate().filter(|(_, point)| frame.level(**point) >= self.floor) {
+        let are_there = self.are_there(samples);
+        for (k, point) in samples.points.iter().enumerate().filter(|(k, _)| are_there[*k]) {
             all[k] = self.distance(*point).abs();
             if all[k] < least.0 {
                 least = (all[k], *point);

@@ -130,6 +130,34 @@ fn a_round_pot_is_that_of_the_formulas() {
     assert!((volume - clay).abs() < 0.01 * clay && euler == 2, "{volume} {clay} {euler}");
 }
 
+/// Where the profile of a lining goes down and up again, what of it is beneath the floor is not there, nor what comes before that.
+#[test]
+fn what_of_a_lining_is_beyond_the_floor_is_not_measured() {
+    let ring = |u: f64, r: f64, z: f64| json!({ "u": u, "r": { "mean": r }, "z": { "mean": z } });
+    let rings = [
+        ring(0.0, 6.63, 0.0),
+        ring(0.188, 6.33, 1.73),
+        ring(0.389, 8.54, 3.03),
+        ring(0.588, 3.59, 4.79),
+        ring(0.789, 6.11, 6.62),
+        ring(1.0, 8.17, 7.96),
+    ];
+    let wall = json!({ "thickness": 0.69, "base": 0.427, "lining": {} });
+    let design = parsed(&json!({ "kind": "rings", "rings": rings }), &wall);
+    let measured = pasu::measure(&design, &pasu::MeasureOptions::default()).unwrap();
+    let greatest = measured.parts[0].thickness.as_ref().unwrap().greatest;
+    // Of each place of the lining the nearest of the outside, on one meridian.
+    let pot = pot(&design);
+    let places = |kind: FaceKind| -> Vec<_> {
+        let face = face(&pot, kind);
+        (0..=3000).map(|i| face.jet(f64::from(i) / 3000.0, 0.0).position).collect()
+    };
+    let (outer, lining) = (places(FaceKind::Outer), places(FaceKind::Lining));
+    let nearest = lining.iter().map(|p| outer.iter().map(|q| p.distance(*q)).fold(f64::INFINITY, f64::min));
+    let exact = nearest.fold(0.0, f64::max);
+    assert!((greatest.value - exact).abs() < greatest.error + 1e-5 && greatest.value < 4.5, "{greatest:?} {exact}");
+}
+
 #[test]
 fn flutes_that_thin_an_offset_do_not_thin_a_round_inside() {
     let wall = |more: &Value| {

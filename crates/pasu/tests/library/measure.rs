@@ -264,23 +264,39 @@ fn overhangs_against_a_fine_grid() {
     }
 }
 
+/// What stays in a cylinder of this radius and depth that is tilted: a hoof, where its bottom is partly dry.
+fn hoof(r: f64, h: f64, tilt: f64) -> f64 {
+    let tan = f64::tan(tilt);
+    let x = r - h / tan;
+    if x > -r {
+        let half = (r * r - x * x).sqrt();
+        tan * (2.0 / 3.0 * half.powi(3) - x * (r * r * (x / r).acos() - x * half))
+    } else {
+        PI * r * r * (h - r * tan)
+    }
+}
+
 #[test]
 fn a_tilted_cup_by_the_formula_of_a_hoof() {
-    let (r, h) = (2.75f64, 7.5f64);
     for tilt in [0.2, 0.7, 1.1, 1.4] {
         let place = format!(r#", "place": {{ "axis": [0, 1, 0], "angle": {tilt}, "shift": [1, 2, 30] }}"#);
         let m = measured(&cone(3.0, 3.0, 8.0, &format!("{WALL}{place}")));
-        let tan = f64::tan(tilt);
-        let x = r - h / tan;
-        let exact = if x > -r {
-            let half = (r * r - x * x).sqrt();
-            tan * (2.0 / 3.0 * half.powi(3) - x * (r * r * (x / r).acos() - x * half))
-        } else {
-            PI * r * r * (h - r * tan)
-        };
-        near(m.whole.capacity.unwrap().brim, exact, 100.0);
+        near(m.whole.capacity.unwrap().brim, hoof(2.75, 7.5, tilt), 100.0);
         assert_eq!(m.whole.tipping.empty.unwrap().degrees, 0.0);
         assert!(m.whole.footprint.as_ref().unwrap().hull_area.value < 1e-9);
+    }
+}
+
+/// Upside down a pot holds what is in its recess, whose middle is soon dry and higher than its edge.
+#[test]
+fn a_tilted_recess_by_the_formula_of_a_hoof() {
+    for tilt in [0.05, 0.2, 0.4, 0.5415926535, 0.74, 0.94, 1.2] {
+        let foot = r#", "wall": { "thickness": 0.5, "base": 0.5, "foot": [1.5, 0.8] }"#;
+        let place = format!(r#", "place": {{ "axis": [1, 0, 0], "angle": {} }}"#, PI - tilt);
+        let capacity = measured(&cone(5.0, 5.0, 10.0, &format!("{foot}{place}"))).whole.capacity;
+        let capacity = capacity.unwrap_or_else(|| panic!("{tilt}: nothing"));
+        near(capacity.brim, hoof(3.5, 0.8, tilt), 100.0);
+        assert!((capacity.spill.level.value + 3.5 * tilt.sin()).abs() < 1e-9, "{tilt}: {capacity:?}");
     }
 }
 
@@ -314,6 +330,42 @@ fn exhibit(name: &str, rim: &str, extra: &str) -> String {
     format!(
         r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {{ "thickness": {t}, "base": {t}, "rim": "{rim}" }}{extra} }}] }}"#
     )
+}
+
+/// What is thinned at a shoulder has a spline for a wall, and a round pot runs over a crest that is level all round.
+#[test]
+fn a_round_pot_with_a_thinned_wall_holds_water_to_its_rounded_rim() {
+    let shape = r#"{ "kind": "fourth-order", "r0": 4.3, "r1": 4.18, "rm": 12.3, "h1": 10.6, "eta": [1.07, 0.441], "dz": [8.98, 3.9], "s": [1.21, 1.21], "t": [2.83, 2.83], "w": [1.28, 1.28] }"#;
+    let wall = r#"{ "thickness": 0.688, "base": 0.778, "side": "outside", "rim": "rounded" }"#;
+    let json = format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {wall} }}] }}"#);
+    let brim = measured(&json).whole.capacity.expect("water").brim;
+    let pot = Pot::new(&design(&json), 0, Product::Pot).unwrap();
+    assert!(pot.thinned().is_some());
+    let exact = dense(&pot, measured(&json).whole.capacity.unwrap().spill.level.value, 49, 20_000);
+    assert!((brim.value - exact).abs() < 1e-6 * exact && brim.error < 1e-6 * exact, "{brim:?} {exact}");
+}
+
+#[test]
+fn what_is_filled_to_the_spill_is_full() {
+    let shape = r#"{ "kind": "mixed-order", "r": [3.45, 0.79, 8.85, 0.572], "n": [1, 4], "height": 20.3, "s": [1, 1], "t": [0.276, 0.276], "force": [-0.0743, -4.95], "rise": -23.9 }"#;
+    let wall = r#"{ "thickness": 0.259, "base": 0.371, "side": "outside", "rim": "rounded" }"#;
+    let place = r#"{ "scale": [1.23, 0.824, 0.778], "shift": [-16.3, 19.1, 19.2] }"#;
+    let design =
+        design(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {wall}, "place": {place} }}] }}"#));
+    let filled = |fill: Option<f64>| {
+        let options = MeasureOptions { fill, ..MeasureOptions::default() };
+        measure(&design, &options).unwrap().whole.capacity.expect("water")
+    };
+    let full = filled(None);
+    let (level, depth) = (full.spill.level.value, full.spill.level.value - full.floor);
+    let capacity = filled(Some(level));
+    let fill = capacity.fill.expect("it was asked for");
+    assert_eq!((capacity.brim, fill.volume, fill.level), (full.brim, full.brim, level));
+    // Nor is the work up to the brim missing for less.
+    let capacity = filled(Some(level - 1e-3 * depth));
+    let less = capacity.fill.expect("it was asked for").volume;
+    assert_eq!(capacity.brim, full.brim);
+    assert!(less.value < full.brim.value && less.value > 0.99 * full.brim.value, "{less:?}");
 }
 
 #[test]
