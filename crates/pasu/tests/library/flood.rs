@@ -312,7 +312,7 @@ fn beneath_a_rim_no_water_stands() {
     assert!((capacity.spill.level.value - capacity.floor - deep).abs() < 0.01 * deep, "{capacity:?} {deep}");
     let (held, found, off) = flooded(json).expect("a pot that can be made");
     assert!(
-        found == capacity.brim.value && (held - found).abs() <= off,
+        (found - puddle).abs() < 0.01 * puddle && held > 0.0 && (held - found).abs() <= off,
         "{held} flooded, {found} measured, {off} expected"
     );
 }
