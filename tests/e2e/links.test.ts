@@ -241,8 +241,12 @@ test("a shortcut or a text that is dropped is looked at as the link in it says",
   await expect.poll(() => wire().isChecked()).toBe(true);
   await wire().uncheck();
   await pot.dropFile("mail.txt", `Look at this (${link("1/second-order?height=5")}), and tell me.`);
-  await pot.fingerprintOtherThan(second);
+  const third = await pot.fingerprintOtherThan(second);
   await expect.poll(() => wire().isChecked()).toBe(true);
+  // As a mail program breaks it.
+  const whole = link("1/bloor-wilson?n1=6&a=0.02");
+  await pot.dropFile("wrapped.txt", `${whole.slice(0, -9)}\r\n${whole.slice(-9)}\r\n`);
+  await pot.fingerprintOtherThan(third);
 });
 
 test("of two parts of one name in a file it is said which has to change, and which has it", async () => {

@@ -409,9 +409,10 @@ export class PasuApp extends DesignerElement {
 
   /** Opens a document, or the link in a text. */
   private async openText(text: string): Promise<void> {
+    const { opening, solver } = this.designer;
     const reader = await import("../work/link-in-text").catch(() => null);
-    const link = reader?.linkInText(text) ?? text;
-    await this.designer.opening.openText(link);
+    const link = (await reader?.linkOf(text, solver)) ?? text;
+    await opening.openText(link);
     await this.showOpened(link);
   }
 

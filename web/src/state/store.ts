@@ -117,7 +117,7 @@ export class Store {
   /** Ends the gesture: the next change is a step of its own. Who follows {@link inGesture} can settle. */
   endGesture(): void {
     // What ended where it began is no step, though what may be left out be written out now: undo would do nothing.
-    const before = this.#history.peek().past.at(-1);
+    const before = this.inGesture && this.#history.peek().past.at(-1);
     if (before && isAlike(meant(before.design), meant(this.#design.peek()))) this.cancelGesture();
     this.#history.value = endMerge(this.#history.peek());
   }

@@ -2,14 +2,14 @@
 
 import { opening } from "./english/opening";
 import { partName } from "./parts";
-import { tellOf } from "./refusals";
+import { tellOf, textOf } from "./refusals";
 
-/** Where the library says which part has the name. */
-const EARLIER = /which is that of parts\[(\d+)\]$/;
+/** The place of the part that has the name. */
+const EARLIER = /^parts\[(\d+)\]$/;
 
 tellOf({
-  duplicate: ({ message }) => {
-    const earlier = EARLIER.exec(message)?.[1];
+  duplicate: (refusal) => {
+    const earlier = EARLIER.exec(textOf(refusal, "earlier") ?? "")?.[1];
     return earlier === undefined ? null : opening.nameTaken(partName(Number(earlier), null));
   },
 });

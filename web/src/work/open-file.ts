@@ -3,10 +3,11 @@
 import type { Making, Refusal } from "../document/types";
 import { isolated } from "../language";
 import type { MakerClient } from "../maker/client";
+import type { SolverClient } from "../solver/client";
 import { opening } from "../words/english/opening";
 import "../words/taken-names";
 import { decoded } from "./decoded";
-import { linkInText } from "./link-in-text";
+import { linkOf } from "./link-in-text";
 import { isShortcut, linkIn } from "./shortcut";
 
 /** Documents are read as text; the format's own limit is 32 MiB of JSON, and of a link 1 MiB. */
@@ -26,10 +27,16 @@ export type Found =
   | { readonly text?: never; readonly refusal: Refusal }
   | null;
 
+/** Who tells a design from other texts, and who finds one in what was made. */
+interface Readers {
+  readonly solver: Pick<SolverClient, "parse">;
+  readonly maker: () => Promise<Pick<MakerClient, "ask"> | null>;
+}
+
 /** Null when something newer was opened meanwhile. */
-export async function readFile(file: File, maker: () => Promise<Pick<MakerClient, "ask"> | null>): Promise<Found> {
+export async function readFile(file: File, readers: Readers): Promise<Found> {
   try {
-    return await read(file, maker);
+    return await read(file, readers);
   } catch (error) {
     // A folder, or what was moved away since it was chosen: the browser names it and gives nothing of it.
     if (!(error instanceof DOMException)) throw error;
@@ -37,7 +44,7 @@ export async function readFile(file: File, maker: () => Promise<Pick<MakerClient
   }
 }
 
-async function read(file: File, maker: () => Promise<Pick<MakerClient, "ask"> | null>): Promise<Found> {
+async function read(file: File, { solver, maker }: Readers): Promise<Found> {
   if (isShortcut(file.name) && file.size <= MAX_TEXT_BYTES) {
     const text = linkIn(await bytesOf(file));
     if (text !== null) return { text, made: null };
@@ -50,7 +57,7 @@ async function read(file: File, maker: () => Promise<Pick<MakerClient, "ask"> | 
     const text = decoded(await bytesOf(file));
     // JSON of another program has not one field too few: it is no design.
     if (OBJECT.test(text)) return text.includes('"pasu"') ? { text, made: null } : refused("no-design", file.name);
-    return { text: linkInText(text) ?? text, made: null };
+    return { text: await linkOf(text, solver), made: null };
   }
   const reader = await maker();
   if (!reader) return null;

@@ -167,7 +167,7 @@ export class Opening {
   async openFile(file: File): Promise<Found | false> {
     const { underway, stopped } = this.#take(file);
     const found = await import("./open-file").then(
-      ({ readFile }) => readFile(file, this.#maker),
+      ({ readFile }) => readFile(file, { solver: this.#solver, maker: this.#maker }),
       () => null,
     );
     if (stopped.aborted) return false;

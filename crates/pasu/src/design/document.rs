@@ -350,7 +350,7 @@ fn canonical(given: Vec<Part>) -> Result<Vec<Part>> {
 /// The refusal of a name that something else has, which is at `earlier`.
 pub(crate) fn name_taken(name: &str, earlier: &str) -> Error {
     let message = format!("expected a name that no other part has, found {name:?}, which is that of {earlier}");
-    Error::new(Code::Duplicate, "name", message)
+    Error::new(Code::Duplicate, "name", message).with("earlier", earlier)
 }
 
 #[cfg(feature = "typescript")]

@@ -38,7 +38,7 @@ const WIDTH: usize = 2 * CUTS + 1;
 /// On which bank the points of a window are.
 type Banks = [[Bank; WIDTH]; WIDTH];
 
-/// Whether a vertex of the grid is on the bank to which rows lead that go back, or that go on, from a saddle.
+/// Whether a vertex of the grid is on the bank to which the rows before a saddle lead (0), or those after it (1).
 type Sides<'a> = dyn Fn(usize, usize) -> bool + 'a;
 
 /// The faces of a body with their rows as one coordinate, in which whole numbers are the rows of the grid.
@@ -50,7 +50,7 @@ struct Chain<'a> {
 impl Chain<'_> {
     /// The link and `s` at a place along all faces; once round in a tube.
     fn place(&self, along: f64) -> (usize, f64) {
-        let along = if self.ground.is_ring() { along.rem_euclid(self.last()) } else { along };
+        let along = self.once_round(along);
         let after = (libm::ceil(along) as usize).clamp(1, self.ground.n_rows() - 1);
         let (link, end) = self.ground.row(after);
         let start = match self.ground.row(after - 1) {
@@ -67,9 +67,14 @@ impl Chain<'_> {
 
     /// The vertex of the grid next to a place whose row is a whole number.
     fn vertex(&self, row: f64, v: f64) -> usize {
-        let row = if self.ground.is_ring() { row.rem_euclid(self.last()) } else { row };
         let column = libm::round(v / turn(1, self.ground.n_columns()));
-        self.ground.vertex(row as usize, column.rem_euclid(self.ground.n_columns() as f64) as usize)
+        let column = column.rem_euclid(self.ground.n_columns() as f64);
+        self.ground.vertex(self.once_round(row) as usize, column as usize)
+    }
+
+    /// The same place of a tube, which goes round, between its first row and its last.
+    fn once_round(&self, along: f64) -> f64 {
+        if self.ground.is_ring() { along.rem_euclid(self.last()) } else { along }
     }
 
     /// The place of the last row.

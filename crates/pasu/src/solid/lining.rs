@@ -310,7 +310,7 @@ impl Search<'_> {
         }
     }
 
-    /// Of each sample of a lining whether it is there: a column begins where it is below the floor for the last time.
+    /// Of each sample of a lining whether it is there: as in its sheet, a column begins where it is below the floor for the last time.
     fn are_there(&self, samples: &Samples) -> Vec<bool> {
         let frame = self.maker.outside.frame();
         let mut are_there = vec![false; samples.points.len()];
@@ -323,7 +323,7 @@ impl Search<'_> {
         are_there
     }
 
-    /// How far samples above the floor are from the outside.
+    /// How far the samples that are there are from the outside.
     fn apart(&self, samples: &Samples, bound: f64) -> Distances {
         let mut least = (f64::INFINITY, DVec3::ZERO);
         let mut all = vec![f64::NAN; samples.points.len()];

@@ -8,8 +8,8 @@ use crate::support::random::Random;
 use crate::support::{design, gallery, table};
 use glam::DVec3;
 use pasu::{
-    Code, CurvatureRange, Error, Face, FaceKind, Making, Map, MeasureOptions, Measures, MeshOptions, Pot, Product,
-    Quantity, Size, Solution, measure, mesh, paint, water,
+    Capacity, Code, CurvatureRange, Error, Face, FaceKind, Making, Map, MeasureOptions, Measures, MeshOptions, Pot,
+    Product, Quantity, Size, Solution, measure, mesh, paint, water,
 };
 
 fn measured(json: &str) -> Measures {
@@ -338,10 +338,10 @@ fn a_round_pot_with_a_thinned_wall_holds_water_to_its_rounded_rim() {
     let shape = r#"{ "kind": "fourth-order", "r0": 4.3, "r1": 4.18, "rm": 12.3, "h1": 10.6, "eta": [1.07, 0.441], "dz": [8.98, 3.9], "s": [1.21, 1.21], "t": [2.83, 2.83], "w": [1.28, 1.28] }"#;
     let wall = r#"{ "thickness": 0.688, "base": 0.778, "side": "outside", "rim": "rounded" }"#;
     let json = format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {wall} }}] }}"#);
-    let brim = measured(&json).whole.capacity.expect("water").brim;
+    let Capacity { brim, spill, .. } = measured(&json).whole.capacity.expect("water");
     let pot = Pot::new(&design(&json), 0, Product::Pot).unwrap();
     assert!(pot.thinned().is_some());
-    let exact = dense(&pot, measured(&json).whole.capacity.unwrap().spill.level.value, 49, 20_000);
+    let exact = dense(&pot, spill.level.value, 49, 20_000);
     assert!((brim.value - exact).abs() < 1e-6 * exact && brim.error < 1e-6 * exact, "{brim:?} {exact}");
 }
 

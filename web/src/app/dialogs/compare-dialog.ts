@@ -17,6 +17,7 @@ import { partName } from "../../words/parts";
 import { refusalWords } from "../../words/refusals";
 import { Collection, type Entry } from "../../work/collection";
 import { pickFile } from "../../work/files";
+import { linkOf } from "../../work/link-in-text";
 import { readFile } from "../../work/open-file";
 import { canvasOf, Pictures, pictureOf, tileStyles } from "./pictures";
 
@@ -170,7 +171,8 @@ export class PasuCompare extends DesignerElement {
   private async compareFile(): Promise<void> {
     const file = await pickFile(".json,.stl,.3mf,.glb,.obj,.zip,.ply,.step,.svg,application/json");
     if (!file) return;
-    const found = await readFile(file, async () => (await this.designer.openMade())?.maker ?? null);
+    const maker = async () => (await this.designer.openMade())?.maker ?? null;
+    const found = await readFile(file, { solver: this.designer.solver, maker });
     if (!found) return;
     if ("text" in found) await this.compareText(found.text);
     else this.show({ state: "refused", refusal: found.refusal });
@@ -181,7 +183,8 @@ export class PasuCompare extends DesignerElement {
     this.asked += 1;
     const { asked, designer } = this;
     const here = designer.store.design;
-    const [parsed, made] = await Promise.all([designer.solver.parse(text), designer.openMade()]);
+    const link = await linkOf(text, designer.solver);
+    const [parsed, made] = await Promise.all([designer.solver.parse(link), designer.openMade()]);
     if (!made || asked !== this.asked || parsed.state === "superseded") return;
     if (parsed.state === "refused") {
       this.show({ state: "refused", refusal: parsed.refusal });
