@@ -43,6 +43,30 @@ test("a pot takes the size that is typed, in any unit, and a change of unit conv
   await pot.shows(jar);
 });
 
+test("beside inches a capacity for a file is asked for in US measures, as it is told", async () => {
+  const pot = await here.enter({ link: "#1/bloor-wilson" });
+  await pot.makePot();
+  const before = await pot.fingerprint();
+  await pot.tab("Measures");
+  await pot.page.locator("pasu-size").getByLabel("Unit").selectOption("in");
+  await pot.fingerprintOtherThan(before);
+  await pot.command("Export");
+  const field = pot.page.locator("pasu-export").getByLabel("Holds to the brim");
+  await pot.page
+    .getByRole("option", { name: "Capacity" })
+    .and(pot.page.locator(":enabled"))
+    .waitFor({ state: "attached" });
+  await pot.page.locator("pasu-export select").first().selectOption("capacity");
+  await pot.page.locator("pasu-export").getByText("US\u00a0fl\u00a0oz", { exact: true }).waitFor();
+  const told = Number(await field.inputValue());
+  const file = pot.page.locator("pasu-export dd").first();
+  const asDesigned = await file.innerText();
+  // Eight times as much is twice as large, in whichever measure.
+  await field.fill(`${(told * 8) / 16} US pt`);
+  await pot.page.getByText("scaled by 2").waitFor();
+  expect(await file.innerText()).not.toBe(asDesigned);
+});
+
 test("a wall stays as thick as it was said to be, or grows along and says so", async () => {
   const pot = await here.enter();
   await pot.makePot();

@@ -32,6 +32,19 @@ test("a capacity is chosen in millilitres whatever the unit", () => {
   expect(made).toEqual({ product: "pot", size: { capacity: 1000 } });
 });
 
+test("a capacity beside inches is in ounces of the United States, and may be typed in other measures", () => {
+  const made = (measure: string) => makingOf({ ...CHOICES, size: "capacity", measure }, MEASURES, "in");
+  // A gallon is 231 cubic inches, and 128 ounces.
+  for (const measure of ["128", "1 gal", "8 US pt", "128 US\u00a0fl\u00a0oz", "3785.411784 ml"]) {
+    const making = made(measure);
+    if ("field" in making) throw new Error(measure);
+    expect(making.size?.capacity).toBeCloseTo(231, 9);
+  }
+  expect(made("a cup")).toMatchObject({ field: "measure" });
+  const { size, measure } = choicesOf({ size: { capacity: 231 } }, "in", true);
+  expect([size, measure]).toEqual(["capacity", "128"]);
+});
+
 test("a tolerance in millimetres of the file is one of the design", () => {
   expect(making({ tolerance: "0.1" })).toEqual({ product: "pot", tolerance: 0.01 });
   expect(making({ tolerance: "0.1", size: "height", measure: "20" })).toMatchObject({ tolerance: 0.005 });

@@ -4,6 +4,7 @@ import { formatNumber, parseNumber } from "../number";
 import { UNITS as MILLIMETRES } from "./tables.gen";
 import type { Design, Format, Making, Measures, Product, Report, Unit } from "./types";
 import { millilitres } from "./volume";
+import { capacityUnit, parseVolume } from "./volume-units";
 
 export interface FileFormat {
   readonly format: Format;
@@ -63,7 +64,7 @@ export type SizeKind = "designed" | "height" | "width" | "capacity";
 export interface Choices {
   readonly product: Product;
   readonly size: SizeKind;
-  /** The height or width in the unit of the design, or millilitres. */
+  /** The height or width in the unit of the design; or what it holds, in millilitres, or ounces beside inches. */
   readonly measure: string;
   /** In percent. */
   readonly shrinkage: string;
@@ -121,7 +122,7 @@ export function makingOf(choices: Choices, measures: Measures, unit: Unit): Maki
   if (shrinkage === null || shrinkage < 0 || shrinkage >= MOST_SHRINKAGE) {
     return { field: "shrinkage", code: "shrinkage" };
   }
-  const measure = choices.size === "designed" ? null : numberIn(choices.measure);
+  const measure = choices.size === "designed" ? null : measureIn(choices, unit);
   if (choices.size !== "designed" && (measure === null || measure <= 0)) {
     return { field: "measure", code: "size" };
   }
@@ -167,8 +168,20 @@ export function toleranceIn(making: Making, measures: Measures, unit: Unit): str
 function sizeIn(size: Making["size"], unit: Unit): readonly [SizeKind, number | null] {
   if (size?.height !== undefined) return ["height", size.height];
   if (size?.width !== undefined) return ["width", size.width];
-  if (size?.capacity !== undefined) return ["capacity", millilitres(size.capacity, unit)];
+  if (size?.capacity !== undefined) return ["capacity", capacityIn(size.capacity, unit)];
   return ["designed", null];
+}
+
+/** The number that stands in the field of a capacity in the cube of this unit. */
+export function capacityIn(capacity: number, unit: Unit): number {
+  return millilitres(capacity, unit) / capacityUnit(unit).millilitres;
+}
+
+/** What was typed, a capacity in millilitres: any unit of volume may stand behind it. */
+function measureIn({ size, measure }: Choices, unit: Unit): number | null {
+  if (size !== "capacity") return numberIn(measure);
+  const typed = parseVolume(measure, capacityUnit(unit).name);
+  return "value" in typed ? typed.value : null;
 }
 
 function sizeOf(kind: SizeKind, measure: number, unit: Unit): NonNullable<Making["size"]> {

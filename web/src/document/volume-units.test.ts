@@ -12,6 +12,8 @@ test.each([
   ["2 quarts", "ml", 1892.705892],
   ["2 gal", "l", 7570.823568],
   ["1 gallon", "ml", 3785.411784],
+  ["12", "fl oz", 354.88235475],
+  ["5.49 US gal", "l", 20781.91069416],
   ["2 litres", "ml", 2000],
   ["5 millilitres", "l", 5],
 ] as const)("%j in %s is %d millilitres", (text, unit, expected) => {

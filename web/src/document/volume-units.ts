@@ -1,9 +1,10 @@
 /** Units of volume that people type and read. */
 
 import { parseAmount, type Typed } from "../number";
+import type { Unit } from "./types";
 
 /** Millilitres; ounces, pints, quarts and gallons are those of the United States. */
-const MILLILITRES: Readonly<Record<string, number>> = {
+const MILLILITRES = {
   ml: 1,
   cl: 10,
   dl: 100,
@@ -13,21 +14,22 @@ const MILLILITRES: Readonly<Record<string, number>> = {
   qt: 946.352946,
   gal: 3785.411784,
 };
+type VolumeUnit = keyof typeof MILLILITRES;
 
 const VOLUME =
-  /^(.*?)(millilit(?:er|re)s?|lit(?:er|re)s?|(?:fl\.?|fluid)\s*(?:oz\.?|ounces?)|oz\.?|ounces?|pints?|pt\.?|quarts?|qt\.?|gallons?|gal\.?|ml|cl|dl|l)?$/i;
+  /^(.*?)(?:U\.?S\.?\s*)?(millilit(?:er|re)s?|lit(?:er|re)s?|(?:fl\.?|fluid)\s*(?:oz\.?|ounces?)|oz\.?|ounces?|pints?|pt\.?|quarts?|qt\.?|gallons?|gal\.?|ml|cl|dl|l)?$/i;
 
-/** Reads a typed volume in millilitres; a number alone is in `unit` (`ml` or `l`). */
-export function parseVolume(text: string, unit: "ml" | "l"): Typed {
+/** Reads a typed volume in millilitres; a number alone is in `unit`. */
+export function parseVolume(text: string, unit: "ml" | "l" | "fl oz"): Typed {
   const [, amount = "", written = unit] = VOLUME.exec(text.trim()) ?? [];
   const typed = parseAmount(amount);
   if ("problem" in typed) return parseAmount(text);
-  const value = typed.value * (MILLILITRES[volumeUnitOf(written.toLowerCase())] ?? 1);
+  const value = typed.value * MILLILITRES[volumeUnitOf(written.toLowerCase())];
   return Number.isFinite(value) ? { value } : { problem: { code: "too-large" } };
 }
 
-function volumeUnitOf(word: string): string {
-  if (word in MILLILITRES) return word;
+function volumeUnitOf(word: string): VolumeUnit {
+  if (word in MILLILITRES) return word as VolumeUnit;
   if (/oz|ounce/.test(word)) return "fl oz";
   if (word.startsWith("p")) return "pt";
   if (word.startsWith("q")) return "qt";
@@ -35,12 +37,18 @@ function volumeUnitOf(word: string): string {
   return word.startsWith("m") ? "ml" : "l";
 }
 
+/** In what a capacity is asked for where lengths are in this unit, and how many millilitres that is. */
+export function capacityUnit(unit: Unit): { readonly name: "ml" | "fl oz"; readonly millilitres: number } {
+  const name = unit === "in" ? "fl oz" : "ml";
+  return { name, millilitres: MILLILITRES[name] };
+}
+
 /** What a volume in millilitres is in measures of the United States: in ounces, from a pint on in pints, from a gallon on in gallons. */
 export function customary(millilitres: number): {
   readonly value: number;
   readonly unit: "ounce" | "pint" | "gallon";
 } {
-  const { "fl oz": ounce = 1, pt: pint = 1, gal: gallon = 1 } = MILLILITRES;
+  const { "fl oz": ounce, pt: pint, gal: gallon } = MILLILITRES;
   if (Math.abs(millilitres) < pint) return { value: millilitres / ounce, unit: "ounce" };
   if (Math.abs(millilitres) < gallon) return { value: millilitres / pint, unit: "pint" };
   return { value: millilitres / gallon, unit: "gallon" };

@@ -7,6 +7,7 @@ import { unitOf } from "../../document/look";
 import {
   boundOf,
   type Choices,
+  capacityIn,
   choicesOf,
   FORMATS,
   fileFormat,
@@ -18,8 +19,8 @@ import {
   toleranceIn,
   trianglesOf,
 } from "../../document/saving";
-import type { Format, Making, Measures, Product, Refusal, Report } from "../../document/types";
-import { millilitres } from "../../document/volume";
+import type { Format, Making, Measures, Product, Refusal, Report, Unit } from "../../document/types";
+import { capacityUnit } from "../../document/volume-units";
 import { formatNumber } from "../../number";
 import { setExport } from "../../state/actions";
 import { checks } from "../../ui/checks";
@@ -137,7 +138,7 @@ export class PasuExport extends DesignerElement {
             : this.text(
                 "measure",
                 words.finished[chosen.size],
-                chosen.size === "capacity" ? quantities.millilitres : quantities.units[unit],
+                chosen.size === "capacity" ? capacityName(unit) : quantities.units[unit],
                 problem,
               )
         }
@@ -217,7 +218,7 @@ export class PasuExport extends DesignerElement {
     const wrong = problem?.field === name ? problemWords(problem) : "";
     return html`<label>
       <span>${label}</span>
-      <span class="typed">
+      <span class=${unit.length > 3 ? "typed long" : "typed"}>
         <input
           class="field"
           name=${name}
@@ -329,7 +330,7 @@ export class PasuExport extends DesignerElement {
       designed: undefined,
       height: measures?.height.value,
       width: measures?.width.greatest.value,
-      capacity: measures?.capacity && millilitres(measures.capacity.brim.value, unit),
+      capacity: measures?.capacity && capacityIn(measures.capacity.brim.value, unit),
     }[size];
     this.choose({ size, measure: now === undefined || now === null ? "" : formatNumber(now) });
   }
@@ -438,6 +439,10 @@ export class PasuExport extends DesignerElement {
 /** How far something is; as long as nothing is known of it, that it goes on. */
 function track(label: string, done: number | null) {
   return html`<progress class="track" aria-label=${label} max="1" value=${done ?? nothing}></progress>`;
+}
+
+function capacityName(unit: Unit): string {
+  return capacityUnit(unit).name === "ml" ? quantities.millilitres : quantities.customary.ounce;
 }
 
 declare global {

@@ -46,6 +46,9 @@ export const exportStyles = css`
     padding-right: 40px;
     font-variant-numeric: tabular-nums;
   }
+  .typed.long .field {
+    padding-right: 76px;
+  }
   .unit {
     position: absolute;
     right: 11px;
