@@ -1288,11 +1288,12 @@ test("a region round a corner of five patches is refused while it is drawn, and 
   const plain = await pot.fingerprintOtherThan(first);
   await points(pot);
   await page.getByRole("radio", { name: "draws a region" }).check();
-  const [from, corner, beside, across] = [
+  const [from, corner, beside, across, other] = [
     await middle(pot, "patch 0"),
     await middle(pot, "vertex 0"),
     await middle(pot, "patch 1"),
     await middle(pot, "patch 3"),
+    await middle(pot, "patch 2"),
   ];
   const near = (to: readonly [number, number]) =>
     [corner[0] + 0.5 * (to[0] - corner[0]), corner[1] + 0.5 * (to[1] - corner[1])] as const;
@@ -1303,6 +1304,17 @@ test("a region round a corner of five patches is refused while it is drawn, and 
   await page.mouse.move(...near(beside), { steps: 4 });
   expect(await refused.count()).toBe(0);
   await page.mouse.move(...near(across), { steps: 4 });
+  await refused.waitFor();
+  await page.mouse.up();
+  await refused.waitFor();
+  await pot.shows(plain);
+  // Of the two that lie across, one alone has a place beside the others laid flat: of both the reason is the same.
+  await page.getByRole("radio", { name: "draws a region" }).check();
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move(...near(beside), { steps: 4 });
+  await refused.waitFor({ state: "detached" });
+  await page.mouse.move(...other, { steps: 4 });
   await refused.waitFor();
   await page.mouse.up();
   await refused.waitFor();

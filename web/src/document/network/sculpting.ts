@@ -66,6 +66,20 @@ export function unfolded(network: Network, patch: number): readonly Unfolded[] {
   return found;
 }
 
+/** Whether one patch is so near to another that a region may go on to it, laid flat or not: round a corner of five patches two would lie in one place. */
+export function isWithinReach(network: Network, from: number, to: number): boolean {
+  const reached = new Set([from]);
+  for (let step = 0; step < REACH; step += 1) {
+    for (const patch of [...reached]) {
+      for (let side = 0; side < 4; side += 1) {
+        const key = keyOf(sideOf((network.patches[patch] as Patch).frame, side));
+        for (const beside of edgesOf(network).get(key)?.sides ?? []) reached.add(beside.patch);
+      }
+    }
+  }
+  return reached.has(to);
+}
+
 /** Whether the rectangle of a force can lie flat on the patches that it reaches: round a corner at which not four of them meet it cannot, and is refused by the solver. */
 export function liesFlat(network: Network, patch: number, { u = UNIT, v = UNIT }: Pick<Force, "u" | "v">): boolean {
   const home: Unfolded = { patch, origin: [0, 0], along: [1, 0], across: [0, 1] };

@@ -19,6 +19,7 @@ import {
   type Force,
   forceFor,
   heightOf,
+  isWithinReach,
   laidAt,
   liesFlat,
   MOST_FORCES,
@@ -401,8 +402,15 @@ export class PasuNetworkHandles extends DesignerElement {
   /** Says so as soon as the region that is drawn comes round a corner where none can lie. */
   private bend(held: Held): void {
     const { begun, network, grasp, now } = held;
-    const region = begun && this.regionOf(network, begun, this.endOf(network, begun.patch, grasp.see, now));
-    const isBent = begun !== null && region !== null && !liesFlat(network, begun.patch, region);
+    const end = begun && this.endOf(network, begun.patch, grasp.see, now);
+    const region = begun && this.regionOf(network, begun, end);
+    // What is near but nowhere in the plane lies beyond such a corner.
+    const over = begun && !end ? touched(network, grasp.see, now) : null;
+    const isBent =
+      begun !== null &&
+      (region
+        ? !liesFlat(network, begun.patch, region)
+        : over !== null && isWithinReach(network, begun.patch, over.patch));
     if (isBent && !held.isBent) this.designer.notices.say(words.bentRegion);
     held.isBent = isBent;
   }
