@@ -81,7 +81,24 @@ export function isWithinReach(network: Network, from: number, to: number): boole
 }
 
 /** Whether the rectangle of a force can lie flat on the patches that it reaches: round a corner at which not four of them meet it cannot, and is refused by the solver. */
-export function liesFlat(network: Network, patch: number, { u = UNIT, v = UNIT }: Pick<Force, "u" | "v">): boolean {
+export function liesFlat(network: Network, patch: number, region: Pick<Force, "u" | "v">): boolean {
+  return laidOut(network, patch, region) !== null;
+}
+
+/** The patches that have a region in common because it goes over edges, with the one that it is a force of; none where it stays on that. */
+export function sharedBy(network: Network, patch: number, region: Pick<Force, "u" | "v">): ReadonlySet<number> {
+  const { u = UNIT, v = UNIT } = region;
+  if ([...u, ...v].every((each) => each >= 0 && each <= 1)) return new Set();
+  const laid = laidOut(network, patch, region);
+  return new Set(laid && laid.size > 1 ? [...laid.values()].map((each) => each.patch) : []);
+}
+
+/** The patches that the rectangle of a force reaches, by their places in its plane; null where it cannot lie flat. */
+function laidOut(
+  network: Network,
+  patch: number,
+  { u = UNIT, v = UNIT }: Pick<Force, "u" | "v">,
+): ReadonlyMap<string, Unfolded> | null {
   const home: Unfolded = { patch, origin: [0, 0], along: [1, 0], across: [0, 1] };
   const laid = new Map([["0 0", home]]);
   // What is laid meanwhile comes in its turn.
@@ -95,11 +112,11 @@ export function liesFlat(network: Network, patch: number, { u = UNIT, v = UNIT }
       if (!goesOn) continue;
       const cell = `${left} ${low}`;
       const known = laid.get(cell);
-      if (known && !liesAlike(known, beside)) return false;
+      if (known && !liesAlike(known, beside)) return null;
       laid.set(cell, known ?? beside);
     }
   }
-  return true;
+  return laid;
 }
 
 /** Where a point of the unit square of the first patch lies. */

@@ -199,7 +199,7 @@ export function orderOf(network: Network): readonly number[] | null {
 }
 
 /** The patches across the edges of each. */
-export function neighboursOf(network: Network): readonly (readonly number[])[] {
+function neighboursOf(network: Network): readonly (readonly number[])[] {
   const beside: number[][] = network.patches.map(() => []);
   for (const { sides } of edgesOf(network).values()) {
     for (const one of sides) for (const other of sides) if (one !== other) beside[one.patch]?.push(other.patch);

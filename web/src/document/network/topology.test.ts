@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
 import { NETWORKED } from "../gallery/networks";
-import type { Triple } from "../types";
+import type { Pair, Triple } from "../types";
 import { type Edge, edgesOf, faultOf, isClosed, isFree, type Network, type Patch } from "./network";
 import { readObj } from "./obj";
-import { heightOf } from "./sculpting";
+import { heightOf, seenOn } from "./sculpting";
 import { ringThrough } from "./selection";
 import { pointOn } from "./surface";
 import { type Building, type Built, bridged, extruded, filled, outsides, removed, rowsOf, split } from "./topology";
@@ -216,6 +216,64 @@ test("what cannot be done is refused by name", () => {
     split(face, new Set(sides.slice(0, 1).map((side) => side.vertices[1]))),
   );
   expect(everywhere.some((each) => "refused" in each && each.refused === "spanned")).toBe(true);
+});
+
+/** A row of patches, two by two each; the first has a force on this part of its `u`, across its `v`. */
+function row(count: number, u: Pair): Network {
+  const weaving = new Weaving();
+  const point = (x: number, y: number): Triple => [x, y, Math.sin(x + 0.3 * y)];
+  for (let place = 0; place < count; place += 1) {
+    const [a, b, c] = [2 * place, 2 * place + 1, 2 * place + 2] as const;
+    const forces = [{ f0: [0, 0, -20] as const, u, v: [0.1, 0.9] as const, falloff: "smooth" as const }];
+    weaving.patch(
+      [point(a, 0), point(b, 0), point(c, 0), point(c, 1), point(c, 2), point(b, 2), point(a, 2), point(a, 1)],
+      place === 0 ? { forces } : {},
+    );
+  }
+  return weaving.network();
+}
+
+test("a strip is split where no region of several patches lies on it, however far away the patch is that has it", () => {
+  const across = (network: Network, patch: number) => split(network, new Set([network.patches[patch]?.frame[1] ?? -1]));
+  // On three patches, of which the last is two away from the one that has the force.
+  const far = row(4, [0.2, 2.6]);
+  expect([0, 1, 2].map((patch) => across(far, patch))).toEqual(Array(3).fill({ refused: "spanned" }));
+  expect(done(across(far, 3)).network.patches).toHaveLength(5);
+  // Beside it.
+  const near = row(4, [0.2, 1.6]);
+  const { network } = done(across(near, 2));
+  const places: readonly Pair[] = [
+    [0.3, 0.4],
+    [0.8, 0.5],
+  ];
+  for (const [u, v] of places) {
+    for (const patch of [0, 1]) {
+      const [is, was] = [network, near].map((each) => seenOn(each, patch, u, v)) as [Triple, Triple];
+      expect(Math.hypot(is[0] - was[0], is[1] - was[1], is[2] - was[2])).toBeLessThan(1e-6);
+    }
+  }
+  // What ends at a free edge is on its own patch alone.
+  expect(done(across(row(1, [0.2, 1.6]), 0)).network.patches).toHaveLength(2);
+});
+
+test("what would bend a region round a corner is refused", () => {
+  // Three of five patches round a corner: a region of the first goes on to the other two, which end at free edges.
+  const weaving = new Weaving();
+  const rim = (place: number): Triple => [4 * Math.cos((place * Math.PI) / 5), 4 * Math.sin((place * Math.PI) / 5), 0];
+  const half = (one: Triple, other: Triple): Triple => [(one[0] + other[0]) / 2, (one[1] + other[1]) / 2, 0];
+  const corner: Triple = [0, 0, 0];
+  for (const place of [0, 2, 4]) {
+    const [a, b, c] = [rim(place), rim(place + 1), rim(place + 2)];
+    const forces = [{ f0: [0, 0, 1] as const, u: [-0.5, 0.5] as const, v: [-0.5, 0.5] as const }];
+    const frame = [corner, half(corner, a), a, half(a, b), b, half(b, c), c, half(corner, c)];
+    weaving.patch(frame, place === 0 ? { forces } : {});
+  }
+  const fan = weaving.network();
+  const [first, , third] = fan.patches;
+  const ends = new Set([first?.frame[1] ?? -1, third?.frame[7] ?? -1]);
+  expect(extruded(fan, ends)).toEqual({ refused: "bent" });
+  const bare = { ...fan, patches: fan.patches.map(({ frame }) => ({ frame })) };
+  expect(done(extruded(bare, ends)).network.patches).toHaveLength(5);
 });
 
 test("a rule that begins with a patch goes on with half of it, and with the next where it is taken away", () => {

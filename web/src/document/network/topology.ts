@@ -17,8 +17,8 @@ import {
   sideOf,
   sizeOf,
 } from "./network";
-import type { Force } from "./sculpting";
-import { cross, dot, neighboursOf, orderOf, pointOn, unit } from "./surface";
+import { type Force, liesFlat, sharedBy } from "./sculpting";
+import { cross, dot, orderOf, pointOn, unit } from "./surface";
 
 export type Objection =
   | Fault
@@ -29,6 +29,7 @@ export type Objection =
   | "last-patch"
   | "crossing"
   | "spanned"
+  | "bent"
   | "no-rings"
   | "unequal-rings"
   | "no-hole"
@@ -270,8 +271,8 @@ function divide(network: Network, edges: readonly Edge[]): Building {
     for (const [key, each] of strip.crossed) crossed.set(key, each);
     for (const [patch, way] of strip.ways) ways.set(patch, way);
   }
-  const beside = neighboursOf(network);
-  if ([...ways.keys()].some((patch) => isSpanned(network, patch, beside[patch] ?? []))) return { refused: "spanned" };
+  const spanned = spannedOf(network);
+  if ([...ways.keys()].some((patch) => spanned.has(patch))) return { refused: "spanned" };
   const vertices = [...network.vertices];
   const add = (point: Triple) => vertices.push(point) - 1;
   // Two new middles for each edge that is divided, from its first end on; what was its middle is a corner.
@@ -332,13 +333,13 @@ function placeOn(side: number, share: number): readonly [number, number] {
   );
 }
 
-/** Whether a force goes over the edges of the patch, or one of a patch beside it may come in. */
-function isSpanned(network: Network, patch: number, beside: readonly number[]): boolean {
-  const spans = (index: number) =>
-    (network.patches[index]?.forces ?? []).some(({ u = UNIT, v = UNIT }) =>
-      [...u, ...v].some((each) => each < 0 || each > 1),
-    );
-  return spans(patch) || beside.some(spans);
+/** The patches on which there is a region that goes over edges, however far away the patch is that has it as a force. */
+function spannedOf(network: Network): ReadonlySet<number> {
+  const found = new Set<number>();
+  for (const [index, { forces = [] }] of network.patches.entries()) {
+    for (const force of forces) for (const patch of sharedBy(network, index, force)) found.add(patch);
+  }
+  return found;
 }
 
 const UNIT = [0, 1] as const;
@@ -502,7 +503,11 @@ export function filled(network: Network, picked: ReadonlySet<number>): Building 
 function checked(before: Network, built: Built): Building {
   const network = written(built.network, before.vertices.length);
   const fault = faultOf(network);
-  return fault === null ? { ...built, network } : { refused: fault };
+  if (fault !== null) return { refused: fault };
+  const isBent = network.patches.some(({ forces = [] }, patch) =>
+    forces.some((force) => !liesFlat(network, patch, force)),
+  );
+  return isBent ? { refused: "bent" } : { ...built, network };
 }
 
 /** New points, those from a place on, with as many digits as a person needs. What was there stays as it is. */
