@@ -1,6 +1,7 @@
 import { evaluate } from "pasu";
 import { expect, test } from "vitest";
 import { realMaker } from "../../testing/real-maker";
+import { RINGED } from "../document/gallery/rings";
 import { edgesOf, faultOf, isFree } from "../document/network/network";
 import { spanOf } from "../document/network/span";
 import type { Design, Sent, Shape } from "../document/types";
@@ -52,4 +53,31 @@ test("it is looked at along the edges of patches too", async () => {
     Math.hypot(...[0, 1, 2].map((axis) => (form[3 * at + axis] ?? 0) - (network[3 * at + axis] ?? 0))),
   );
   expect(distance).toBeGreaterThan(0.98 * Math.max(...off));
+});
+
+test("the distance that is told is the largest there is, wherever on a patch", async () => {
+  // Places on the edges, a tenth and a fifth from them and so on miss the largest by a sixth.
+  const shape = RINGED.find(({ id }) => id === "own-squeezed-bottle")?.shape as Shape;
+  const [rows, columns, steps] = [2, 5, 40];
+  const { shape: network, distance } = await woven(shape, rows, columns);
+  const [form, there]: [number[], number[]] = [[], []];
+  for (let patch = 0; patch < rows * columns; patch += 1) {
+    for (let i = 0; i <= steps; i += 1) {
+      for (let j = 0; j <= steps; j += 1) {
+        const [u, v] = [i / steps, j / steps];
+        there.push(patch, u, v);
+        form.push((Math.floor(patch / columns) + v) / rows, (spanOf(shape) * ((patch % columns) + u)) / columns);
+      }
+    }
+  }
+  const own = evaluate({ pasu: 1, parts: [{ shape }] } as unknown as Sent, 0, form);
+  const other = evaluate({ pasu: 1, parts: [{ shape: network }] } as unknown as Sent, 0, there);
+  let most = 0;
+  for (let place = 0; place < own.length; place += 3)
+    most = Math.max(
+      most,
+      Math.hypot(...[0, 1, 2].map((axis) => (own[place + axis] ?? 0) - (other[place + axis] ?? 0))),
+    );
+  expect(distance).toBeGreaterThan(0.999 * most);
+  expect(distance).toBeLessThan(1.01 * most);
 });

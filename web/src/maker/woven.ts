@@ -21,14 +21,14 @@ export interface WovenAsk {
 export interface WovenShape {
   readonly shape: Network;
   readonly columns: number;
-  /** The largest distance between points at the same parameters, of all that were compared, before placement. */
+  /** The largest distance between points at the same parameters, before placement: to a thousandth of it. */
   readonly distance: number;
 }
 
 /** Round a circle, for each wave, and at most where nobody says how many. */
 const [ROUND, WAVE, MOST] = [12, 4, 120];
 
-/** Where along each way of a patch both are compared: on its edges, and a fifth from an end, where a curve is furthest from one through its middle. */
+/** Where along each way of a patch both are compared at first: on its edges, and a fifth from an end, where a curve is furthest from one through its middle. */
 const COMPARED = [0, 0.1, 0.21, 0.36, 0.64, 0.79, 0.9, 1];
 
 export function wovenOf({ design, part, rows, columns: wanted, span }: WovenAsk): WovenShape {
@@ -65,28 +65,66 @@ export function wovenOf({ design, part, rows, columns: wanted, span }: WovenAsk)
   return { shape, columns, distance: apart({ design, part, rows, columns, span }, shape) };
 }
 
+/** A place of the network: patch, `u`, `v`; and how far it is from the form there. */
+interface Gap {
+  readonly at: Triple;
+  readonly distance: number;
+}
+
+/** Once all patches were looked at, those that may have the largest distance are looked at again: as far as this share of the largest so far, and so many at most. */
+const [SHARE, AGAIN] = [0.6, 64];
+/** How far to each side of where it is largest so far, and in how many steps. */
+const CLOSER = [
+  [0.5, 24],
+  [1 / 24, 8],
+  [1 / 96, 8],
+] as const;
+
 function apart(
   { design, part, rows, columns, span }: Omit<WovenAsk, "kind" | "columns"> & { readonly columns: number },
   shape: Network,
 ): number {
-  const [own, there]: [number[], number[]] = [[], []];
-  for (let patch = 0; patch < rows * columns; patch += 1) {
-    const [row, column] = [Math.floor(patch / columns), patch % columns];
-    for (const u of COMPARED) {
-      for (const v of COMPARED) {
-        there.push(patch, u, v);
-        own.push((row + v) / rows, (span * (column + u)) / columns);
+  const woven = { pasu: 1, parts: [{ shape }] } as unknown as Sent;
+  /** Of each list of places the one with the largest distance; all at once, because whatever is asked of is solved anew. */
+  const largest = (lists: readonly (readonly Triple[])[]): Gap[] => {
+    const places = lists.flat();
+    const own = places.flatMap(([patch, u, v]) => {
+      const [row, column] = [Math.floor(patch / columns), patch % columns];
+      return [(row + v) / rows, (span * (column + u)) / columns];
+    });
+    const [form, network] = [evaluate(design as Sent, part, own), evaluate(woven, 0, places.flat())];
+    let index = 0;
+    return lists.map((list) => {
+      let most: Gap = { at: list[0] ?? [0, 0, 0], distance: 0 };
+      for (const at of list) {
+        const gap = [0, 1, 2].map((axis) => (form[3 * index + axis] ?? 0) - (network[3 * index + axis] ?? 0));
+        const distance = Math.hypot(...gap);
+        if (distance > most.distance) most = { at, distance };
+        index += 1;
       }
-    }
+      return most;
+    });
+  };
+  const crossed = (patch: number, us: readonly number[], vs: readonly number[]) =>
+    us.flatMap((u) => vs.map((v): Triple => [patch, u, v]));
+  const patches = Array.from({ length: rows * columns }, (_, patch) => crossed(patch, COMPARED, COMPARED));
+  const all = largest(patches).sort((one, other) => other.distance - one.distance);
+  const least = SHARE * (all[0]?.distance ?? 0);
+  let near = all.filter(({ distance }) => distance >= least).slice(0, AGAIN);
+  for (const [half, steps] of CLOSER) {
+    const along = (middle: number) =>
+      Array.from({ length: steps + 1 }, (_, step) =>
+        Math.min(Math.max(middle + half * ((2 * step) / steps - 1), 0), 1),
+      );
+    const found = largest(
+      near.map(({ at: [patch, u, v] }) =>
+        half === 0.5 ? crossed(patch, along(0.5), along(0.5)) : crossed(patch, along(u), along(v)),
+      ),
+    );
+    near = found.map((each, place) => {
+      const known = near[place] as Gap;
+      return each.distance > known.distance ? each : known;
+    });
   }
-  const [form, network] = [
-    evaluate(design as Sent, part, own),
-    evaluate({ pasu: 1, parts: [{ shape }] } as unknown as Sent, 0, there),
-  ];
-  let most = 0;
-  for (let place = 0; place < form.length; place += 3) {
-    const gap = [0, 1, 2].map((axis) => (form[place + axis] ?? 0) - (network[place + axis] ?? 0));
-    most = Math.max(most, Math.hypot(...gap));
-  }
-  return most;
+  return Math.max(0, ...near.map(({ distance }) => distance));
 }
