@@ -130,6 +130,36 @@ test("a finger that stays lists, one that moves turns, and while parts are moved
   await expect.poll(() => selected(pot)).toEqual(["Front"]);
 });
 
+test("thirty parts under one point are scrolled to by a finger and by keys, within the stage of a phone", async () => {
+  const parts = Array.from({ length: 30 }, (_, at) => block(`Block ${at + 1}`, at, 3 * at - 45));
+  const pot = await row({ ...PHONE, colorScheme: "dark" }, parts);
+  pot.page.setDefaultTimeout(20_000);
+  await pot.page.keyboard.press("u");
+  expect(await names(pot)).toHaveLength(30);
+  expect(await findings(pot)).toEqual([]);
+  const sheet = pot.page.locator("pasu-under .list");
+  const [box, stage] = [await sheet.boundingBox(), await pot.page.locator("pasu-under").boundingBox()];
+  if (!box || !stage) throw new Error("nothing is listed");
+  expect(box.x).toBeGreaterThanOrEqual(stage.x);
+  expect(box.x + box.width).toBeLessThanOrEqual(stage.x + stage.width);
+  expect(box.y).toBeGreaterThanOrEqual(stage.y);
+  expect(box.y + box.height).toBeLessThanOrEqual(stage.y + stage.height);
+  const scrolled = () => sheet.evaluate((element) => element.scrollTop);
+  const session = await pot.context.newCDPSession(pot.page);
+  const [x, y] = [box.x + box.width / 2, box.y + box.height - 30];
+  await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y, id: 0 }] });
+  for (let up = 20; up <= 200; up += 20)
+    await session.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x, y: y - up, id: 0 }] });
+  await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  await expect.poll(scrolled).toBeGreaterThan(100);
+  await pot.page.keyboard.press("End");
+  await expect.poll(() => focused(pot)).toMatch(/^Block 30/);
+  const last = await list(pot).locator("button").last().boundingBox();
+  expect((last?.y ?? 0) + (last?.height ?? 0)).toBeLessThanOrEqual(box.y + box.height);
+  await list(pot).locator("button").last().tap();
+  expect(await selected(pot)).toEqual(["Block 30"]);
+});
+
 test("a pot of one part has no list, and the words are those of the catalogue", async () => {
   const pot = await here.enter({ link: "#1/second-order" });
   await pot.fingerprint();
