@@ -886,6 +886,30 @@ test("a network is saved as OBJ and opened again", async () => {
     await (await again).setFiles({ name: "bad.obj", mimeType: "model/obj", buffer: Buffer.from(text) });
     await pot.page.getByText(said.slice(0, 40)).waitFor();
   }
+  const next = pot.page.waitForEvent("filechooser");
+  await pot.button("Open OBJ quads…").click();
+  await (await next).setFiles({ name: "again.obj", mimeType: "model/obj", buffer: Buffer.from(quads) });
+  await expect.poll(() => pot.page.title()).toBe("again · Pasu");
+  expect(await pot.page.getByText("Line 1 of this file").count()).toBe(0);
+});
+
+test("an OBJ file is in the unit of the design on the page", async () => {
+  const { pot, plain } = await opened();
+  const inches = await pot.page.evaluate(() => {
+    const { designer } = document.querySelector("pasu-app") as unknown as { designer: { store: { design: object } } };
+    return JSON.stringify({ ...designer.store.design, unit: "in" });
+  });
+  await pot.dropFile("inches.json", inches);
+  const caption = () => pot.page.locator("pasu-stage #description").innerText();
+  await expect.poll(caption).toMatch(/\d in /);
+  const told = await caption();
+  const { bytes } = await pot.download("Save as OBJ");
+  await pot.openLink("#1/second-order?unit=in");
+  await pot.fingerprintOtherThan(plain);
+  await pot.dropFile("saved.obj", bytes);
+  await pot.button("Open them as patches").click();
+  await pot.shows(plain);
+  await expect.poll(caption).toBe(told);
 });
 
 test("a network that was saved as OBJ and is dropped is opened as one, and not as a scan alone", async () => {

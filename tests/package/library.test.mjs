@@ -94,6 +94,8 @@ test("a network whose points are moved is told by what of its mesh is another", 
       const grid = { rows: 10, columns: 10 };
       const { mesh, moved } = pasu.follow(network(), grid);
       assert.deepEqual(mesh, pasu.follow(network(), grid).mesh);
+      for (const none of [undefined, null, {}])
+        assert.deepEqual(pasu.follow(network(), none).mesh, pasu.mesh(network()));
       // Somebody else has asked meanwhile.
       assert.equal(moved([1, 1, 0, 0.5]), undefined);
       const { mesh: now, moved: on } = pasu.follow(network(), grid);

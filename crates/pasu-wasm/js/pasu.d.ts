@@ -283,7 +283,7 @@ export function mesh(source: DesignSource, options?: MeshOptions & Watch & { int
 
 /**
  * The surface as triangles, placed, in the arrays of an earlier mesh, so that a drag allocates nothing: each array of `into` that is long enough is written over and handed
- * back, as a view of its beginning where it is longer. For one that is too short or missing there is a new one.
+ * back, as a view of its beginning where it is longer. For one that is too short or missing there is a new one. No two of them may share memory: one would be written over the other.
  *
  * Where `into.topology` is that of the new mesh too, `uvs`, `indices` and `groups` are as they were: they are not written, and are left out of the
  * result if `into` is without them.

@@ -181,7 +181,7 @@ export function entry(simd, scalar, whole = simd) {
   /** A mesh of a network, with what gives of it what is another once points are elsewhere. */
   function follow(source, options) {
     const mesh = meshBy(call, source, options);
-    const { rows, columns } = options;
+    const { rows, columns } = options ?? {};
     let known = freshMark();
     call("markLast", known);
     const moved = (moves) => {

@@ -20,10 +20,13 @@ const MOST = 32 * 1024 * 1024;
 export async function openObj(designer: Designer): Promise<boolean> {
   const file = await pickFile(".obj,model/obj");
   if (!file) return false;
+  // What was wrong with the file before is nothing about this one.
+  const { notice } = designer.notices;
+  if (notice && !notice.undo) designer.notices.dismiss(notice.id);
   return await designer.opening.openRead(file, async (stopped) => {
     const read = await readNetwork(designer, file, stopped);
     if (!read) return null;
-    if ("network" in read) return designOf(file, read.network);
+    if ("network" in read) return designOf(designer, file, read.network);
     designer.notices.say(read.trouble);
     return null;
   });
@@ -62,12 +65,14 @@ export async function readNetwork(
 
 /** Opens a network that was read of a file, as a design of its own. */
 export function openNetwork(designer: Designer, file: File, network: Network): void {
-  designer.opening.open(designOf(file, network));
+  designer.opening.open(designOf(designer, file, network));
 }
 
-function designOf(file: File, network: Network): Design {
+/** The numbers of a file have no unit: they are taken in that of the design on the page, in which they are written too. */
+function designOf({ store }: Designer, file: File, network: Network): Design {
   const title = labelOf(file.name.replace(/\.obj$/i, ""));
-  return { pasu: 1, ...(title !== "" && { title }), parts: [{ shape: network }] };
+  const { unit } = store.design;
+  return { pasu: 1, ...(title !== "" && { title }), ...(unit && { unit }), parts: [{ shape: network }] };
 }
 
 function objWords(trouble: ObjTrouble): string {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::meshed::{MOST_LOOKED_AT, compact, finished};
+use super::meshed::{CROSSINGS, MOST_LOOKED_AT, compact, finished, latest_first, lies_close, runs_through};
 use super::solid_mesh::SolidMesh;
 use super::woven::{Woven, WovenFace};
 use crate::check::{self, Topology};
@@ -177,11 +177,24 @@ fn verdict(placed: &Placed, woven: &Woven, scale: f64) -> Result<Topology> {
             return error(Code::CrossesItself, "does-not-close", at, message);
         }
     };
-    let (crossings, given_up) = check::crossings_soon(&woven.positions, &woven.triangles, |_| None, 1);
-    let crossing = crossings.first().map(|pair| pair[0]);
-    match (crossing, given_up) {
-        (Some(triangle), _) | (None, Some(triangle)) if is_blade => thin(woven.middle(triangle) / scale),
-        (Some(triangle), _) => {
+    // Of a network with a thickness the side that was added to the surface, and the rims, may cross what the surface does not.
+    let own = placed.solved().thinnest().map(|_| kind_of(placed, 0));
+    let most = if own.is_some() { CROSSINGS } else { 1 };
+    let (crossings, given_up) = check::crossings_soon(&woven.positions, &woven.triangles, |_| None, most);
+    let kind = |triangle: u32| woven.face(triangle).map_or(FaceKind::Outer, |face| woven.faces[face].kind);
+    let is_of_surface = |kinds: &[FaceKind]| own.is_none_or(|own| kinds.iter().all(|kind| *kind == own));
+    // If the surface itself is at fault, that is the reason.
+    let worst = crossings.iter().find(|pair| is_of_surface(&pair.map(kind))).or(crossings.first()).copied();
+    match (worst, given_up) {
+        (Some([triangle, _]), _) | (None, Some(triangle)) if is_blade => thin(woven.middle(triangle) / scale),
+        (Some(pair), _) if !is_of_surface(&pair.map(kind)) => {
+            let at = woven.middle(pair[0]) / scale;
+            Err(runs_through(placed, "wall.thickness", latest_first(pair.map(kind)), at))
+        }
+        (None, Some(triangle)) if !is_of_surface(&[kind(triangle)]) => {
+            Err(lies_close(placed, kind(triangle), woven.middle(triangle) / scale))
+        }
+        (Some([triangle, _]), _) => {
             let at = woven.middle(triangle) / scale;
             let message = format!("the surface runs through itself near {}: expected one that does not", place(at));
             error(Code::CrossesItself, "surface", at, message)

@@ -11,6 +11,7 @@ use crate::error::{Code, Error, Result};
 use crate::face::FaceKind;
 use crate::mesh::places;
 use crate::solid::{Pot, Skin, place, short};
+use crate::solution::Placed;
 use crate::watch;
 
 /// The most triangles of one part.
@@ -41,7 +42,7 @@ pub(crate) const GLIMPSE: f64 = 1.0 / 150.0;
 const CORNER: f64 = 1e-12;
 
 /// The most crossings that are looked at for a reason.
-const CROSSINGS: usize = 200;
+pub(super) const CROSSINGS: usize = 200;
 
 /// A mesh is made finer by no more than this factor at a time.
 const LEAST_STEP: f64 = 0.4;
@@ -325,12 +326,17 @@ fn crowded(pot: &Pot, kind: FaceKind, at: DVec3) -> Error {
     if kind == pot.surface_kind() || !pot.has_wall() {
         return surface_is_crowded(pot.skin(), at);
     }
+    lies_close(pot.skin().placed(), kind, at)
+}
+
+/// A face of a wall of which so much lies so close together that nobody knows whether it crosses.
+pub(super) fn lies_close(placed: &Placed, kind: FaceKind, at: DVec3) -> Error {
     let message = format!(
         "so much of the {} lies close to itself near {} that it cannot be told whether it has room: expected a thinner wall",
         name(kind),
         place(at)
     );
-    let error = Error::new(Code::NoRoom, pot.skin().placed().path("wall.thickness"), message).near(at.to_array());
+    let error = Error::new(Code::NoRoom, placed.path("wall.thickness"), message).near(at.to_array());
     error.with("what", "close").with("face", kind.name())
 }
 
@@ -345,7 +351,18 @@ fn crossing(pot: &Pot, kinds: [FaceKind; 2], at: DVec3) -> Error {
     if kinds == [pot.surface_kind(); 2] {
         return surface_crosses(pot.skin(), at);
     }
-    // Which of the two was added to the surface, and how late.
+    let kinds @ [first, _] = latest_first(kinds);
+    let path = match first {
+        FaceKind::Outer | FaceKind::Lining if pot.is_lined() => "wall.lining",
+        FaceKind::Outer | FaceKind::Lining => "wall.thickness",
+        FaceKind::Underside if !pot.has_wall() => "shape",
+        kind => field(kind),
+    };
+    runs_through(pot.skin().placed(), path, kinds, at)
+}
+
+/// Two faces, first that which was added to the surface later.
+pub(super) fn latest_first(kinds: [FaceKind; 2]) -> [FaceKind; 2] {
     let order = |kind: FaceKind| match kind {
         FaceKind::Drain => 5,
         FaceKind::FootRing | FaceKind::Recess => 4,
@@ -353,19 +370,17 @@ fn crossing(pot: &Pot, kinds: [FaceKind; 2], at: DVec3) -> Error {
         FaceKind::Underside | FaceKind::Floor | FaceKind::Lid => 2,
         FaceKind::Outer | FaceKind::Lining => 1,
     };
-    let [first, second] = if order(kinds[0]) >= order(kinds[1]) { kinds } else { [kinds[1], kinds[0]] };
+    if order(kinds[0]) >= order(kinds[1]) { kinds } else { [kinds[1], kinds[0]] }
+}
+
+/// A face for which another leaves no room.
+pub(super) fn runs_through(placed: &Placed, path: &str, [first, second]: [FaceKind; 2], at: DVec3) -> Error {
     let message = if first == second {
         format!("the {} has no room: it runs through itself near {}", name(first), place(at))
     } else {
         format!("the {} has no room: it runs through the {} near {}", name(first), name(second), place(at))
     };
-    let path = match first {
-        FaceKind::Outer | FaceKind::Lining if pot.is_lined() => "wall.lining",
-        FaceKind::Outer | FaceKind::Lining => "wall.thickness",
-        FaceKind::Underside if !pot.has_wall() => "shape",
-        kind => field(kind),
-    };
-    let error = Error::new(Code::NoRoom, pot.skin().placed().path(path), message).near(at.to_array());
+    let error = Error::new(Code::NoRoom, placed.path(path), message).near(at.to_array());
     error.with("what", "crossing").with("face", first.name()).with("other", second.name())
 }
 

@@ -220,6 +220,37 @@ fn networks_of_any_topology_get_a_thin_wall_or_a_reason() {
 }
 
 #[test]
+fn a_wall_that_is_too_thick_for_a_sheet_is_no_fault_of_the_sheet() {
+    let sheet = patch([
+        [0.0, 0.0, 0.0],
+        [0.5, 0.0, 0.2],
+        [1.0, 0.0, 0.0],
+        [1.0, 0.5, 0.0],
+        [1.0, 1.0, 0.0],
+        [0.5, 1.0, 0.2],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.5, 0.3],
+    ]);
+    let narrow = json!({ "place": { "scale": [0.5586846733931452, 0.12785151733551173, 0.7365652267821133] } });
+    assert!(solid(&walled(&sheet, 0.055, &narrow), &Making::default()).is_ok());
+    let refused = |design: &Design| solid(design, &Making::default()).unwrap_err();
+    let thick = refused(&walled(&sheet, 0.06, &narrow));
+    assert_eq!((thick.code(), thick.path()), (Code::NoRoom, "parts[0].wall.thickness"), "{thick}");
+    assert!(thick.place().is_some() && thick.to_string().contains("has no room"), "{thick}");
+
+    // Two sheets that go through each other do so with any wall, on either side.
+    let across = [(0.0, -1.0), (0.0, 0.0), (0.0, 1.0), (1.0, 1.0), (2.0, 1.0), (2.0, 0.0), (2.0, -1.0), (1.0, -1.0)];
+    let vertices: Vec<[f64; 3]> =
+        across.iter().map(|(x, y)| [*x, *y, 0.0]).chain(across.iter().map(|(x, z)| [*x + 0.3, 0.1, *z])).collect();
+    let crossing = json!({ "kind": "vertex-frame", "vertices": vertices,
+        "patches": [{ "frame": [0, 1, 2, 3, 4, 5, 6, 7] }, { "frame": [8, 9, 10, 11, 12, 13, 14, 15] }] });
+    for side in ["inside", "outside"] {
+        let error = refused(&walled(&crossing, 0.05, &json!({ "wall": { "side": side } })));
+        assert_eq!((error.code(), error.path()), (Code::CrossesItself, "parts[0].shape"), "{error}");
+    }
+}
+
+#[test]
 fn what_cannot_have_its_thickness_is_refused_with_the_place() {
     let at = |x: f64, y: f64, z: f64| [x, y, z];
     // Two flat patches along the edge x = 0, folded back on each other.

@@ -129,7 +129,7 @@ export const networks = phrases("networks", {
     "A strip runs from patch to patch through opposite edges. Its first patch is the one that comes first on the way out from the patch that is counted from, as in the paper.",
   file: "Files",
   fileAbout:
-    "As OBJ: faces of four corners, whose edges get middles, or of eight points. Forces, and where the network was moved and turned to, stay with the design.",
+    "As OBJ: faces of four corners, whose edges get middles, or of eight points, in the unit of the design on the page. Forces, and where the network was moved and turned to, stay with the design.",
   saveObj: "Save as OBJ",
   openObj: "Open OBJ quads…",
   objTrouble: {
