@@ -885,6 +885,8 @@ test("a network is saved as OBJ and opened again", async () => {
     await pot.button("Open OBJ quads…").click();
     await (await again).setFiles({ name: "bad.obj", mimeType: "model/obj", buffer: Buffer.from(text) });
     await pot.page.getByText(said.slice(0, 40)).waitFor();
+    // Nothing was done that a tick could stand for.
+    expect(await pot.page.locator(".toast").locator("svg").count()).toBe(0);
   }
   const next = pot.page.waitForEvent("filechooser");
   await pot.button("Open OBJ quads…").click();

@@ -128,7 +128,7 @@ export class PasuApp extends DesignerElement {
     const { notice } = notices;
     if (!notice) return nothing;
     return html`<p class="toast">
-      ${icon(notice.undo?.saves ? "warn" : "check")}<span>${notice.text}</span>
+      ${notice.undo?.saves ? icon("warn") : nothing}<span>${notice.text}</span>
       ${
         notice.undo
           ? html`<button class="button" type="button" @click=${() => void notices.undo()}>
