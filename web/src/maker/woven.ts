@@ -73,7 +73,7 @@ interface Gap {
 
 /** Once all patches were looked at, those that may have the largest distance are looked at again: as far as this share of the largest so far, and so many at most. */
 const [SHARE, AGAIN] = [0.6, 64];
-/** How far to each side of where it is largest so far, and in how many steps. */
+/** How far to each side of where it is largest so far, and in how many steps; at first all of the patch. */
 const CLOSER = [
   [0.5, 24],
   [1 / 24, 8],

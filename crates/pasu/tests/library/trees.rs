@@ -282,8 +282,10 @@ fn what_is_no_tree_is_refused_with_its_place() {
         assert!(!message.is_empty());
     }
     // By what a tree has: it has no list of parts.
-    let (_, _, message) = refused(&of(pair(with("name", json!("a")), with("name", json!("a")))));
-    assert_eq!(message, "expected a name that no other part has, found \"a\", which is that of tree.connected[0]");
+    let twice = of(pair(with("name", json!("a")), with("name", json!("a"))));
+    let error = Tree::parse(&twice.to_string()).and_then(|tree| flat(&tree)).unwrap_err();
+    let message = "expected a name that no other part has, found \"a\", which is that of tree.connected[0]";
+    assert_eq!((error.message(), error.args()), (message, &[("earlier", "tree.connected[0]".into())][..]));
     // What only JavaScript can say.
     let not_finite = serde_json::from_str::<Value>(
         r#"{ "pasu": 1, "tree": { "shape": { "kind": "octant", "exponents": [2, 2, 2] }, "place": { "angle": 1e999 } } }"#,
