@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::solid::{Pot, Skin, short, significant};
 use crate::solution::Solution;
 use crate::watch;
-use crate::weave::{COARSE, Made, grid, meshed_once};
+use crate::weave::{COARSE, Made, closed_patches, grid, meshed_once};
 
 answers! {
     /// The nearest wall that was found to make a pot of a part that is refused.
@@ -31,6 +31,9 @@ const DIGITS: u32 = 2;
 
 /// The most triangles of the surface on all meshes of walls that are tried: twenty coarse ones of an ordinary pot, and a few of the usual tolerance.
 const MOST_TRIED: usize = 1_000_000;
+
+/// What a patch of a network counts among them.
+const A_PATCH: usize = 100;
 
 /// The most work on all of them, in the units of [`watch::work`]: half a second.
 const MOST_WORK: u64 = 50_000_000;
@@ -58,6 +61,10 @@ fn sought(solution: &Solution, part: usize, making: &Making, scale: f64, error: 
     let placed = solution.workable(part).ok()?;
     let asked = solution.wall(part, making.product).ok()??;
     let field = error.path().strip_prefix(&placed.path("wall."))?;
+    if solution.has_shell(part, making.product).ok()? {
+        let wall = of_network(solution, part, making, scale, &asked)?;
+        return Some(Remedy::of(placed.path("wall"), &asked, wall));
+    }
     let skin = Arc::new(solution.skin(part, making.product).ok()?);
     let n_triangles = |tolerance| grid(&skin, tolerance, None).map_or(usize::MAX, |grid| grid.n_triangles());
     let (coarse, fine) = (n_triangles(Some(COARSE * skin.size())), n_triangles(making.tolerance));
@@ -81,6 +88,21 @@ fn sought(solution: &Solution, part: usize, making: &Making, scale: f64, error: 
     }
     let wall = found?;
     Some(Remedy::of(placed.path("wall"), &asked, wall))
+}
+
+/// The same of an open network: what belongs to a foot is left out, then the clay is on the other side, then thinner. What cannot be computed costs little; the rest has to be meshed as a file would be.
+fn of_network(solution: &Solution, part: usize, making: &Making, scale: f64, asked: &Wall) -> Option<Wall> {
+    let plain = Wall { base: 0.0, rim: RimForm::Flat, foot: None, drain: 0.0, lining: None, ..*asked };
+    let mut left = MOST_TRIED;
+    let walls = [plain, across(plain)].into_iter().chain(thinner(plain)).filter(|wall| wall != asked);
+    for wall in walls {
+        let Ok(shell) = solution.shell_with(part, &wall) else { continue };
+        left = left.checked_sub(A_PATCH * shell.solved().patches().len())?;
+        if closed_patches(&shell, making.tolerance, scale).is_ok() {
+            return Some(wall);
+        }
+    }
+    None
 }
 
 impl Remedy {
@@ -114,16 +136,20 @@ impl Trials {
     }
 }
 
+fn thinner(wall: Wall) -> [Wall; THINNER.len()] {
+    THINNER.map(|factor| Wall { thickness: significant(wall.thickness * factor, DIGITS), ..wall })
+}
+
+/// With the clay on the other side of the surface.
+fn across(wall: Wall) -> Wall {
+    let side = if wall.side == Side::Inside { Side::Outside } else { Side::Inside };
+    Wall { side, lining: None, ..wall }
+}
+
 /// What there is to try where a field asks too much, the smaller change first.
 fn tried(wall: &Wall, field: &str) -> Vec<Wall> {
     let scaled = |length: f64, factor: f64| significant(length * factor, DIGITS);
     let plain = Wall { foot: None, drain: 0.0, ..*wall };
-    let thinner = |wall: Wall| THINNER.map(|factor| Wall { thickness: scaled(wall.thickness, factor), ..wall });
-    let across = |wall: Wall| Wall {
-        side: if wall.side == Side::Inside { Side::Outside } else { Side::Inside },
-        lining: None,
-        ..wall
-    };
     let mut tried = Vec::new();
     if wall.lining.is_some() {
         tried.push(Wall { lining: None, ..*wall });

@@ -28,9 +28,23 @@ impl Solution {
     pub(crate) fn patched(&self, part: usize, product: Product) -> Result<Arc<Placed>> {
         let (placed, (_, of)) = (self.workable(part)?, self.existing(part)?);
         match &of.wall {
-            #[cfg(feature = "patchwork")]
-            Some(wall) if self.has_shell(part, product)? => shelled(placed, of, wall),
+            Some(wall) if self.has_shell(part, product)? => self.shell_with(part, wall),
             _ => Ok(Arc::clone(placed)),
+        }
+    }
+
+    /// An open network with this wall, whichever it has.
+    ///
+    /// # Errors
+    /// As [`Solution::patched`].
+    pub(crate) fn shell_with(&self, part: usize, wall: &Wall) -> Result<Arc<Placed>> {
+        let (placed, (_, of)) = (self.workable(part)?, self.existing(part)?);
+        #[cfg(feature = "patchwork")]
+        return shelled(placed, of, wall);
+        #[cfg(not(feature = "patchwork"))]
+        {
+            let _ = (of, wall);
+            Ok(Arc::clone(placed))
         }
     }
 }

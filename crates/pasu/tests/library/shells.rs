@@ -251,6 +251,46 @@ fn a_wall_that_is_too_thick_for_a_sheet_is_no_fault_of_the_sheet() {
 }
 
 #[test]
+fn where_a_wall_cannot_be_made_one_is_offered_that_can() {
+    let offered = |design: &Design| {
+        let report = check(design, &Making::default()).unwrap();
+        let remedy = report.findings[0].remedy.clone().unwrap_or_else(|| panic!("{:?}", report.findings));
+        assert_eq!(remedy.path, "parts[0].wall");
+        let mut document: Value = serde_json::from_str(&design.to_json()).unwrap();
+        document["parts"][0]["wall"] = serde_json::to_value(remedy.wall).unwrap();
+        let mended = check(&Design::parse(&document.to_string()).unwrap(), &Making::default()).unwrap();
+        assert!(mended.is_ok() && mended.findings.iter().all(|found| found.remedy.is_none()), "{:?}", mended.findings);
+        (remedy.wall, remedy.message)
+    };
+    // Inside of a tube there is room up to its axis, outside there is.
+    let (wall, message) = offered(&walled(&half_tube(1.0, 4), 1.2, &json!({})));
+    assert_eq!((wall.side, wall.thickness), (pasu::Side::Outside, 1.2), "{message}");
+    // Two sheets are in each other's way on both sides.
+    let mut vertices = Vec::new();
+    let places = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0), (0.0, 2.0), (0.0, 1.0)];
+    for z in [0.0, 0.1, 0.2] {
+        vertices.extend(places.map(|(x, y)| [x, y, z]));
+    }
+    let stack = |n: usize| {
+        let patches: Vec<Value> = (0..n).map(|k| json!({ "frame": (8 * k..8 * k + 8).collect::<Vec<_>>() })).collect();
+        json!({ "kind": "vertex-frame", "vertices": vertices[..8 * n], "patches": patches })
+    };
+    let (wall, message) = offered(&walled(&stack(3), 0.12, &json!({})));
+    assert_eq!(
+        (wall.side, wall.thickness, &*message),
+        (pasu::Side::Inside, 0.09, "it can be made with a wall of 0.09")
+    );
+    // What belongs to a foot goes.
+    let footed = json!({ "wall": { "base": 0.3, "foot": [0.1, 0.1], "drain": 0.2, "rim": "rounded" } });
+    let (wall, message) = offered(&walled(&stack(1), 0.12, &footed));
+    assert_eq!((wall.base, wall.foot, wall.drain, wall.rim), (0.0, None, 0.0, pasu::RimForm::Flat));
+    assert_eq!(message, "it can be made with a base of 0 and a flat rim and no ring and no drain");
+    // Where the sheet itself is at fault no wall helps.
+    let report = check(&walled(&cube(), 0.1, &json!({})), &Making::default()).unwrap();
+    assert!(report.findings[0].remedy.is_none(), "{:?}", report.findings);
+}
+
+#[test]
 fn what_cannot_have_its_thickness_is_refused_with_the_place() {
     let at = |x: f64, y: f64, z: f64| [x, y, z];
     // Two flat patches along the edge x = 0, folded back on each other.
