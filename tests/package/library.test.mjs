@@ -387,6 +387,33 @@ test("a mesh is written over an earlier one", async () => {
   }
 });
 
+test("a list or a word in the place of options is refused by every function that takes some", async () => {
+  const pasu = await import(pathToFileURL(join(ROOT, "crates/pasu-wasm/pkg/pasu.js")).href);
+  await pasu.default();
+  const calls = {
+    mesh: (options) => pasu.mesh(VASE, options),
+    bound: (options) => pasu.bound(VASE, options),
+    sketch: (options) => pasu.sketch(VASE, options),
+    measure: (options) => pasu.measure(VASE, options),
+    solid: (options) => pasu.solid(VASE, options),
+    constraints: (options) => pasu.constraints(VASE, options),
+  };
+  for (const [name, call] of Object.entries(calls)) {
+    for (const options of [[], [1], "coarse", 5, true]) {
+      assert.throws(() => call(options), { name: "PasuError", code: "wrong-type" }, `${name} ${options}`);
+    }
+    for (const none of [undefined, null, {}]) {
+      let refusal;
+      try {
+        call(none);
+      } catch (error) {
+        refusal = error.code;
+      }
+      assert.notEqual(refusal, "wrong-type", `${name} ${none}`);
+    }
+  }
+});
+
 test("a network of patches is read, evaluated, meshed, measured and written", async () => {
   await inFreshProject((project) => {
     const text = `

@@ -390,7 +390,7 @@ export interface Hit {
   readonly patch: number | null;
   /** Along the patch, as in `evaluate`; null of a part with a wall, and of an octant. */
   readonly u: number | null;
-  /** Across the patch, as in `evaluate`. */
+  /** Across the patch, as in `evaluate`; null where `u` is. */
   readonly v: number | null;
 }
 

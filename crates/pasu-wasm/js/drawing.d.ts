@@ -31,7 +31,7 @@ export {
 
 /**
  * Loads the whole module in place of the small one, once; everything else stays as it is. The small one knows what has two ends and goes round an axis, and
- * refuses a network of frames or a blend with the code `unsupported-shape` and `args.what` `"left-out"`: then widen, and ask again.
+ * refuses a network of frames, a blend or an octant with the code `unsupported-shape` and `args.what` `"left-out"`: then widen, and ask again.
  * `source` says where that module is, if not beside this file.
  */
 export function widen(source?: string | URL): Promise<void>;

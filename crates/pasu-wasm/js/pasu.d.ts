@@ -323,7 +323,7 @@ export function bound(source: DesignSource, options?: MeshOptions): number;
 
 /**
  * Exact positions of a part before placement, xyz triples.
- * @param at (u, v) pairs: `u` from 0 to 1, `v` from 0 to the span of the surface. Of a network of patches (patch, u, v) triples, of a blend (u, v, w) triples within it, each from 0 to 1.
+ * @param at (u, v) pairs: `u` from 0 to 1, `v` from 0 to the span of the surface. Of a network of patches and of an octant (patch, u, v) triples, of a blend (u, v, w) triples within it, each from 0 to 1.
  */
 export function evaluate(source: DesignSource, part: number, at: Float64Array | readonly number[]): Float64Array;
 
@@ -505,7 +505,7 @@ export function connectivity(source: DesignSource): Connectivity;
 
 /** How near parts have to come to touch. */
 export interface ConstraintOptions {
-  /** A length in the unit of the design; a millionth of the size of the scene without it. */
+  /** A length in the unit of the design; the power of two below a millionth of the size of the scene without it. */
   slack?: number | undefined;
 }
 

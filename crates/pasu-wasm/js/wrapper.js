@@ -94,7 +94,7 @@ export function freshMark() {
 
 /** The options of a call without one of them, and that. */
 export function apart(options, name) {
-  if (typeof options !== "object" || options === null) return { others: options };
+  if (typeof options !== "object" || options === null || Array.isArray(options)) return { others: options };
   try {
     const { [name]: taken, ...others } = options;
     return { taken, others };

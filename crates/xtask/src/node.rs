@@ -15,7 +15,7 @@ const OLDEST: (u32, u32) = (20, 19);
 /// Checks Node and installs the npm packages when the lock file has changed since they were installed.
 pub(crate) fn ensure(workspace: &Workspace) -> Result<()> {
     let version = command::read(Command::new("node").arg("--version"))
-        .context("Node is missing; get version 20 or later from https://nodejs.org")?;
+        .context("Node is missing; get version 20.19 or later from https://nodejs.org")?;
     if !new_enough(&version) {
         bail!("Node {} is too old; get version 20.19 or later from https://nodejs.org", version.trim());
     }

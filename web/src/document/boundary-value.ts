@@ -23,7 +23,7 @@ export function hasSine(mode: Mode): boolean {
 }
 
 /** The first whole frequency that the component does not use yet. */
-export function nextFrequency(component: Component): number {
+function nextFrequency(component: Component): number {
   let n = 0;
   while (component.modes.some((mode) => mode.n === n)) n += 1;
   return n;

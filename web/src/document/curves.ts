@@ -59,7 +59,7 @@ export function spanOf(shape: Pick<BoundaryValue, "span"> | Exclude<Shape, Bound
 }
 
 /** A series at `v`. */
-export function seriesAt({ mean, waves = [] }: Series, v: number): number {
+function seriesAt({ mean, waves = [] }: Series, v: number): number {
   return waves.reduce((sum, { n, cos = 0, sin = 0 }) => sum + cos * Math.cos(n * v) + sin * Math.sin(n * v), mean);
 }
 

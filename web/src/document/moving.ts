@@ -75,11 +75,6 @@ export function scaledBy(factor: number, [x, y, z]: Triple): Triple {
   return [factor * x + 0, factor * y + 0, factor * z + 0];
 }
 
-/** Turned about an axis through the origin. */
-export function turnedVector(vector: Triple, axis: Triple, angle: number): Triple {
-  return rotated(quaternion(axis, angle), vector);
-}
-
 /** A number of a document, without the digits of rounding. */
 export function round(value: number): number {
   return Number(value.toPrecision(DIGITS)) + 0;

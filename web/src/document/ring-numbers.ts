@@ -13,7 +13,7 @@ export interface Swing {
 }
 
 /** Each is one wave of the radius or of the height: those with no number of their own have a fixed one. */
-export const SWINGS = {
+const SWINGS = {
   oval: { of: "r", n: 2 },
   petals: { of: "r", least: 3, usual: 5 },
   tilt: { of: "z", n: 1 },

@@ -66,7 +66,7 @@ export function changed(pot: Rings, whole: Whole): Rings {
   return { ...pot, rings, ...(foot && { foot: slopes(foot, 0) }), ...(rim && { rim: slopes(rim, 1) }) };
 }
 
-export function isUnchanged({ petals: _petals, at: _at, fluteCount: _count, ...sizes }: Whole): boolean {
+function isUnchanged({ petals: _petals, at: _at, fluteCount: _count, ...sizes }: Whole): boolean {
   return Object.entries(sizes).every(([name, value]) => value === UNCHANGED[name as keyof Whole]);
 }
 

@@ -7,7 +7,7 @@ import type { View } from "./gl/view";
 const TILE = 1024;
 
 /** The largest side that every browser's 2D canvas can hold. */
-export const LARGEST_PICTURE = 8192;
+const LARGEST_PICTURE = 8192;
 
 const SAMPLES = 4;
 

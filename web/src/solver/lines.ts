@@ -14,7 +14,7 @@ export function rowOf({ positions, columns }: Grid, row: number): Float32Array {
 }
 
 /** One column of the grid, `v` constant. */
-export function columnOf({ positions, rows, columns }: Grid, column: number): Float32Array {
+function columnOf({ positions, rows, columns }: Grid, column: number): Float32Array {
   const line = new Float32Array(3 * rows);
   for (let row = 0; row < rows; row += 1) {
     const from = 3 * (row * columns + column);

@@ -3,7 +3,7 @@ import { inUnit } from "../document/scaled";
 import type { Design, Joint, Part, Shape } from "../document/types";
 import { changeJoint, type Jointed, moveJoint } from "./joint-actions";
 import { placeParts, standingOf } from "./place-actions";
-import { addParts, deletePart, duplicatePart } from "./scene-actions";
+import { addParts, deleteParts, duplicateParts } from "./scene-actions";
 import { NEW_SESSION } from "./session";
 import { Store } from "./store";
 
@@ -69,9 +69,9 @@ test("alone a part leaves what it is glued to", () => {
 test("a part that is put elsewhere takes its limits along, a copy too, and one that goes takes its sliders", () => {
   store.apply(placeParts(store.state, new Map([[lid, { ...standingOf(store.state, lid), shift: [3, 0, 7] }]])));
   expect(jointed(lid, "z").joint).toEqual({ ...LIFT, limits: [7, 11] });
-  store.apply(duplicatePart(store.state, lid, 10));
+  store.apply(duplicateParts(store.state, [lid], 10));
   expect(store.design.parts[2]).toMatchObject({ name: "lid 2", joints: { z: { ...LIFT, limits: [7, 11] } } });
-  store.apply(deletePart(store.state, lid));
+  store.apply(deleteParts(store.state, [lid]));
   expect(store.design.parts.map(({ joints }) => Object.keys(joints ?? {}))).toEqual([[], ["z"], ["z", "turn"]]);
   store.apply(addParts(store.state, SCENE.parts.slice(1, 2), [20, 0, 1]));
   expect(store.design.parts.at(-1)?.joints?.z?.limits).toEqual([6, 10]);

@@ -6,8 +6,8 @@ import { partName } from "../words/parts";
 import { openDesign } from "./actions";
 import {
   addParts,
-  deletePart,
-  duplicatePart,
+  deleteParts,
+  duplicateParts,
   gluePart,
   isTaken,
   MAX_NAME,
@@ -64,10 +64,10 @@ test("the selection is of a part, not of a place", () => {
   expect(store.part).toBe(2);
   store.undo();
   expect([names(), store.part]).toEqual([["Body", "Lid", "Part 3"], 1]);
-  store.apply(deletePart(store.state, body));
+  store.apply(deleteParts(store.state, [body]));
   store.undo();
   store.apply(selectParts(foot));
-  store.apply(deletePart(store.state, body));
+  store.apply(deleteParts(store.state, [body]));
   expect(store.part).toBe(0);
 });
 
@@ -89,11 +89,11 @@ test("the first part of a scene in which none was chosen yet stays selected wher
 
 test("a part that is deleted leaves the selection to its neighbour, and comes back by undo as it was", () => {
   store.apply(selectParts(lid));
-  store.apply(deletePart(store.state, lid));
+  store.apply(deleteParts(store.state, [lid]));
   expect([store.ids, store.part]).toEqual([[body, foot], 1]);
-  store.apply(deletePart(store.state, foot));
+  store.apply(deleteParts(store.state, [foot]));
   expect([store.ids, store.part]).toEqual([[body], 0]);
-  expect(deletePart(store.state, body).design).toBeUndefined();
+  expect(deleteParts(store.state, [body]).design).toBeUndefined();
   store.undo();
   store.undo();
   expect(store.ids).toEqual([body, lid, foot]);
@@ -102,7 +102,7 @@ test("a part that is deleted leaves the selection to its neighbour, and comes ba
 
 test("a part that undo brings back is selected as it was, and redo selects its neighbour again", () => {
   store.apply(selectParts(body, lid));
-  store.apply(deletePart(store.state, lid));
+  store.apply(deleteParts(store.state, [lid]));
   store.apply(selectParts(body));
   store.undo();
   expect(selectedIds(store.state)).toEqual([body, lid]);
@@ -122,7 +122,7 @@ test("a part that undo brings back is selected as it was, and redo selects its n
 
 test("a selected part that undo takes away is selected again by redo", () => {
   store.apply(selectParts(lid));
-  store.apply(duplicatePart(store.state, lid, 12));
+  store.apply(duplicateParts(store.state, [lid], 12));
   const copy = store.ids[2];
   expect(store.part).toBe(2);
   store.undo();
@@ -133,12 +133,12 @@ test("a selected part that undo takes away is selected again by redo", () => {
 });
 
 test("a copy stands beside the part, looks the same and has a name and an identity of its own", () => {
-  store.apply(duplicatePart(store.state, lid, 12));
-  store.apply(duplicatePart(store.state, lid, 24));
+  store.apply(duplicateParts(store.state, [lid], 12));
+  store.apply(duplicateParts(store.state, [lid], 24));
   expect(names()).toEqual(["Body", "Lid", "Lid 3", "Lid 2", "Part 5"]);
   expect(new Set(store.ids).size).toBe(5);
   expect(store.design.parts[2]).toEqual({ ...part, name: "Lid 3", object: 2, place: { angle: 1, shift: [24, 0, 20] } });
-  store.apply(duplicatePart(store.state, foot, 5));
+  store.apply(duplicateParts(store.state, [foot], 5));
   expect(store.design.parts[5]).toEqual({ ...part, object: 3, place: { shift: [5, 0, 0] } });
 });
 
@@ -173,9 +173,9 @@ test("the parts of an opened design are nobody that was there before, until undo
 test("who is not there cannot be moved, copied, named or deleted", () => {
   for (const change of [
     movePart(store.state, 99, 1),
-    duplicatePart(store.state, 99, 1),
+    duplicateParts(store.state, [99], 1),
     renamePart(store.state, 99, "Nobody"),
-    deletePart(store.state, 99),
+    deleteParts(store.state, [99]),
   ])
     expect(change).toEqual({ undo: "none" });
 });
@@ -187,10 +187,10 @@ test("a part that is hidden stays in the design, through undo too, and its copy 
   expect(store.design).toBe(design);
   expect(store.canUndo).toBe(false);
   expect(hiddenParts(store.state)).toBe(1);
-  store.apply(duplicatePart(store.state, lid, 1));
+  store.apply(duplicateParts(store.state, [lid], 1));
   expect(hiddenParts(store.state)).toBe(1);
   store.undo();
-  store.apply(deletePart(store.state, lid));
+  store.apply(deleteParts(store.state, [lid]));
   expect(hiddenParts(store.state)).toBe(0);
   store.undo();
   expect(hiddenParts(store.state)).toBe(1);
@@ -246,6 +246,6 @@ test("parts leave their object together and stay glued to each other", () => {
 });
 
 test("a copy stands by itself", () => {
-  store.apply(duplicatePart(store.state, lid, 3));
+  store.apply(duplicateParts(store.state, [lid], 3));
   expect(store.design.parts.map(({ object }) => object ?? 0)).toEqual([0, 0, 1, 0]);
 });

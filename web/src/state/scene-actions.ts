@@ -72,11 +72,6 @@ export function gluePart(state: State, id: PartId, other: PartId | null): Change
   };
 }
 
-/** A copy of a part after it, so far to its right that it touches nothing: an object of its own, and selected. */
-export function duplicatePart(state: State, id: PartId, aside: number): Change {
-  return duplicateParts(state, [id], aside);
-}
-
 /** Copies of parts after the last of them, so far to their right that they touch nothing, glued as those are, and selected. */
 export function duplicateParts(state: State, ids: readonly PartId[], aside: number): Change {
   return copyParts(state, ids, [(place) => ({ ...place, shift: sum(place.shift, [aside, 0, 0]) })], false);
@@ -169,12 +164,7 @@ function briefly(place: WholePlacement, before: Placement | undefined): Placemen
   return Object.fromEntries(said);
 }
 
-/** Takes a part away and selects the one that follows it, or else the one before. A design has one part at least. */
-export function deletePart(state: State, id: PartId): Change {
-  return deleteParts(state, [id]);
-}
-
-/** Takes parts away and selects what follows the last of them, or else what is before. Of all parts none goes. */
+/** Takes parts away and selects what follows the last of them, or else what is before. A design has one part at least: of all none goes. */
 export function deleteParts(state: State, gone: readonly PartId[]): Change {
   const { design, ids } = state;
   const left = ids.filter((id) => !gone.includes(id));

@@ -6,7 +6,7 @@ import { everything, NOTHING, withPatch, withVertex, withVertices } from "../doc
 import { extruded } from "../document/network/topology";
 import { openDesign } from "../state/actions";
 import { changeNetwork } from "../state/network-actions";
-import { duplicatePart } from "../state/scene-actions";
+import { duplicateParts } from "../state/scene-actions";
 import { NEW_SESSION } from "../state/session";
 import { Store } from "../state/store";
 import { NetworkDesk } from "./network-desk";
@@ -52,7 +52,7 @@ test("nothing is picked of a copy, nor of another document of the same frames, a
   const store = leaf();
   const desk = deskOf(store);
   desk.pick(networkOf(store), withVertex(NOTHING, 3, false));
-  store.apply(duplicatePart(store.state, 0, 20));
+  store.apply(duplicateParts(store.state, [0], 20));
   expect(store.part).toBe(1);
   const copy = store.design.parts[1]?.shape as Network;
   expect(desk.picksOf(copy)).toEqual(NOTHING);

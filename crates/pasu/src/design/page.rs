@@ -4,7 +4,7 @@ use super::blend::{BlendSlider, MOST_TERMS, Method, SECTION_SLIDERS, TERMS, WEIG
 use super::ceramics::{OWN_CLAY, OWN_GLAZE, OWN_OPACITY};
 use super::described::Family;
 use super::fields::{Dimension, Field, Need};
-use super::limits::{CHARACTERS, FORCE, HARMONICS, MODES, PARTS, PATCHES, RINGS};
+use super::limits::{CHARACTERS, FORCE, MODES, PARTS, PATCHES, RINGS};
 use super::look::{Clay, Glaze};
 use super::number::plain;
 use super::quantity::Size;
@@ -72,7 +72,6 @@ pub fn typescript_of_blends() -> String {
     );
     let methods = list(Method::NAMES.iter().map(|name| quoted(name)));
     constant(&mut text, "How the equation can be solved.", "METHODS", &methods);
-    constant(&mut text, "The most harmonics of one coordinate of an outline.", "HARMONICS", &HARMONICS.to_string());
     text
 }
 

@@ -82,7 +82,7 @@ impl Placement {
         if has(12) && !has(SHORT) { Digits::Twelve } else { Digits::All }
     }
 
-    /// The one placement that moves every point as this one does (ASB88; `math.md` section 4).
+    /// The one placement that moves every point as this one does (ASB88).
     ///
     /// # Errors
     /// `out-of-range` when the axis has no direction.

@@ -35,7 +35,7 @@ answers! {
         pub patch: Option<usize>,
         /// Along the patch, as in `evaluate`; `None` of a part with a wall, and of an octant.
         pub u: Option<f64>,
-        /// Across the patch, as in `evaluate`.
+        /// Across the patch, as in `evaluate`; `None` where `u` is.
         pub v: Option<f64>,
     }
 }

@@ -1,4 +1,4 @@
-//! Evaluation as a sum of outer products: tables of `q` per row and of `cos`, `sin` per column (`math.md` section 1).
+//! Evaluation as a sum of outer products: tables of `q` per row and of `cos`, `sin` per column.
 
 use wide::f64x4;
 

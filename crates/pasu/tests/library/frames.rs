@@ -52,7 +52,7 @@ fn every_case_of_the_corpus() {
     }
 }
 
-/// A network solved once more, as math.md has it, by the global rule: strips by walking from edge to edge, patches as Coons patches between curves.
+/// A network solved once more, as docs/frames.md has it, by the global rule: strips by walking from edge to edge, patches as Coons patches between curves.
 struct ByHand {
     points: Vec<[DVec3; 8]>,
     cubic: Vec<[DVec3; 2]>,

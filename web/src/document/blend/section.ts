@@ -22,7 +22,7 @@ export function radiusOf(section: Section): Pair {
   return section.form === "outline" ? figureOf(section).radius : section.radius;
 }
 
-export function withRadius(section: Section, index: 0 | 1, value: number): Section {
+function withRadius(section: Section, index: 0 | 1, value: number): Section {
   const before = radiusOf(section);
   const radius: Pair = index === 0 ? [value, before[1]] : [before[0], value];
   if (before[index] === value) return section;

@@ -10,7 +10,7 @@ export type Method = (typeof METHODS)[number];
 const EVEN: Triple = [1, 1, 1];
 
 /** The method that holds where none is given. */
-export function usualMethod({ start, end }: Blend): Method {
+function usualMethod({ start, end }: Blend): Method {
   return isClosed(start.form) && isClosed(end.form) ? "exact" : "modal";
 }
 

@@ -24,6 +24,3 @@ export const TERMS = {
 
 /** How the equation can be solved. */
 export const METHODS = ["exact", "modal", "collocation"] as const;
-
-/** The most harmonics of one coordinate of an outline. */
-export const HARMONICS = 512 as const;

@@ -398,6 +398,3 @@ export const NETWORKED = exhibits([
     look: { glaze: "celadon", clay: "porcelain" },
   },
 ]);
-
-/** Those that bound a solid. */
-export const SOLIDS = ["own-mug", "own-basket", "own-spouted", "own-hat", "own-dress"] as const;

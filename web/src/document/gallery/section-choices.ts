@@ -4,7 +4,7 @@ import { between, LITHE, type Plan, sectionOf } from "../blend/between";
 import type { Section } from "../types";
 import type { Exhibit } from "./exhibit";
 
-export const PLANS = {
+const PLANS = {
   round: { radius: 1 },
   oval: { radius: [1.2, 0.8] },
   square: { radius: 1, count: 4, corners: 0.6, at: 45 },

@@ -163,7 +163,7 @@ function outwardOf(network: Network, { vertices }: Row, axis: Triple): 1 | -1 {
 }
 
 /** The direction that a ring goes round: of the area that it has. */
-export function axisOf(network: Network, { vertices }: Row): Triple {
+function axisOf(network: Network, { vertices }: Row): Triple {
   let sum: Triple = [0, 0, 0];
   const middle = meanOf(vertices.map((vertex) => at(network, vertex)));
   for (const [place, vertex] of vertices.entries()) {

@@ -3,7 +3,7 @@
 import type { Fate } from "../../document/fates";
 import type { Colour } from "../../render/contrast/tints";
 
-export const COLOURS: Readonly<Record<Exclude<Fate, "kept">, Colour>> = {
+const COLOURS: Readonly<Record<Exclude<Fate, "kept">, Colour>> = {
   changed: [0.95, 0.62, 0.1],
   moved: [0.2, 0.45, 0.95],
   reglued: [0.58, 0.3, 0.75],

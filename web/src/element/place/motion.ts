@@ -138,7 +138,7 @@ function overTable(hold: Hold, by: Spot, steps: Steps | null): Motion | null {
 }
 
 /** Two directions square to an axis, so that from one to the other is anti-clockwise. */
-export function squareTo(axis: Axis): readonly [Triple, Triple] {
+function squareTo(axis: Axis): readonly [Triple, Triple] {
   return [unit(((axis + 1) % 3) as Axis), unit(((axis + 2) % 3) as Axis)];
 }
 
