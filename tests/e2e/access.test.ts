@@ -246,3 +246,70 @@ test("the shape is told in words, and told again when it changes", async () => {
   await pot.fingerprintOtherThan(before);
   await expect.poll(() => told.innerText()).toMatch(/^A .* 4\.8 cm high/);
 });
+
+test("what is chosen is marked where the colours are forced", async () => {
+  const pot = await here.enter({ link: "#1/second-order", ...CLEAR, forcedColors: "active" });
+  await pot.fingerprint();
+  await pot.tab("Wall");
+  await pot.button("Make it a pot").click();
+  await pot.button("Remove the wall").waitFor();
+  const outlines = (inside: string) =>
+    pot.page
+      .locator(`${inside} label:has(input[type=radio])`)
+      .evaluateAll((labels) =>
+        labels.map((label) => [
+          (label.querySelector("input") as HTMLInputElement).checked,
+          getComputedStyle(label).outlineStyle === "solid",
+        ]),
+      );
+  const marks = await outlines("pasu-wall");
+  expect(marks.length).toBeGreaterThanOrEqual(2);
+  for (const [chosen, outlined] of marks) expect(outlined).toBe(chosen);
+  await pot.tab("Look");
+  await pot.page.locator("pasu-look .swatch").first().waitFor();
+  const looks = await outlines("pasu-look");
+  expect(looks.filter(([chosen]) => chosen)).toHaveLength(2);
+  for (const [chosen, outlined] of looks) expect(outlined).toBe(chosen);
+  // Colours are what a glaze is chosen by.
+  const dots = await pot.page
+    .locator("pasu-look .dot:not(.any)")
+    .evaluateAll((all) => all.map((dot) => getComputedStyle(dot).backgroundColor));
+  expect(new Set(dots).size).toBeGreaterThan(5);
+});
+
+test("the focus is never lost where something goes or is busy, and a menu closes when it goes elsewhere", async () => {
+  const pot = await here.enter({ link: "#1/rings" });
+  const { keyboard } = pot.page;
+  const plain = await pot.fingerprint();
+  const focused = async () => (await stop(pot))?.name;
+  // Out of a menu with the Tab key.
+  const change = pot.button("Change Ring 1");
+  await change.focus();
+  await keyboard.press("Enter");
+  await pot.button("Delete").waitFor();
+  for (let step = 0; step < 8 && (await change.getAttribute("aria-expanded")) === "true"; step += 1)
+    await keyboard.press("Tab");
+  expect(await change.getAttribute("aria-expanded")).toBe("false");
+  expect(await focused()).not.toBeUndefined();
+  // With the ring goes the button that had the focus.
+  await change.focus();
+  await keyboard.press("Enter");
+  await pot.button("Delete").focus();
+  await keyboard.press("Enter");
+  const fewer = await pot.fingerprintOtherThan(plain);
+  await expect.poll(focused).toBe("Change Foot");
+  // A size that is tried for a pot with a wall.
+  await pot.tab("Measures");
+  const height = pot.page.locator("pasu-size").getByRole("textbox", { name: "Height" });
+  await expect.poll(() => height.isEnabled()).toBe(true);
+  await height.fill("8");
+  await keyboard.press("Enter");
+  await pot.fingerprintOtherThan(fewer);
+  await expect.poll(() => height.inputValue()).toBe("8");
+  expect(await height.evaluate((it) => it.matches(":focus"))).toBe(true);
+  // What is said of it belongs to it.
+  await height.fill("-3");
+  await keyboard.press("Enter");
+  await expect.poll(() => height.getAttribute("aria-describedby")).toBe("problem");
+  await expect.poll(() => height.getAttribute("aria-invalid")).toBe("true");
+});

@@ -384,3 +384,30 @@ test("a finger draws on a phone, everything is within reach, and nothing is said
     expect(await findings(other)).toEqual([]);
   }
 });
+
+test("what was drawn and not used is there when the dialogue is opened again", async () => {
+  const pot = await here.enter({ link: LINK, viewport: { width: 1280, height: 800 } });
+  const before = await pot.fingerprint();
+  await open(pot);
+  await stroke(pot, BELLY);
+  await rings(pot);
+  await pot.type("Height", "31");
+  const drawn = await knots(pot).count();
+  await pot.page.keyboard.press("Escape");
+  await board(pot).waitFor({ state: "detached" });
+  await open(pot);
+  expect([await knots(pot).count(), await pot.field("Height").first().inputValue()]).toEqual([drawn, "31"]);
+  await rings(pot);
+  // The sheet is empty again by its own button, and stays so.
+  await pot.button("Clear").click();
+  await pot.page.keyboard.press("Escape");
+  await board(pot).waitFor({ state: "detached" });
+  await open(pot);
+  expect(await knots(pot).count()).toBe(0);
+  await stroke(pot, BELLY);
+  await rings(pot);
+  await pot.button("Use it").click();
+  await pot.fingerprintOtherThan(before);
+  await open(pot);
+  expect(await knots(pot).count()).toBe(0);
+});

@@ -256,3 +256,23 @@ test("of two parts of one name in a file it is said which has to change, and whi
   await pot.dropFile("two.json", JSON.stringify({ pasu: 1, parts: [part("A"), part("B"), part("A")] }));
   await expect.poll(() => pot.page.getByRole("alert").innerText()).toContain("Part 3, Name: Part 1 has the same one.");
 });
+
+test("an address says what is on the stage, also where somebody goes back to one without a link", async () => {
+  const pot = await here.enter();
+  const jar = await pot.fingerprint();
+  const follow = async (link: string, before: string) => {
+    await pot.page.evaluate((next) => {
+      location.hash = next;
+    }, link);
+    return await pot.fingerprintOtherThan(before);
+  };
+  const vase = await follow("#1/bloor-wilson?n1=5", jar);
+  const bottle = await follow("#1/rings", vase);
+  await pot.page.goBack();
+  await pot.shows(vase);
+  await pot.page.goBack();
+  await expect.poll(() => pot.address()).toContain("#1/bloor-wilson?n1=5");
+  await pot.shows(vase);
+  await pot.undo();
+  await pot.shows(bottle);
+});

@@ -40,3 +40,32 @@ test("fingers change the pot, and a swipe that scrolls past a slider does not", 
   await pot.page.touchscreen.tap(there.x, there.y);
   await pot.fingerprintOtherThan(before);
 });
+
+test.each([
+  [320, 256],
+  [427, 320],
+  [480, 270],
+  [568, 320],
+  [640, 360],
+  [844, 390],
+])("at %i by %i nothing of the panel is cut off", async (width, height) => {
+  const pot = await here.enter({ viewport: { width, height } });
+  await pot.fingerprint();
+  const aside = pot.page.locator("aside");
+  for (const tab of ["Wall", "Measures", "Look", "Shape"] as const) {
+    await pot.tab(tab);
+    await pot.page.getByRole("tab", { name: tab }).scrollIntoViewIfNeeded();
+    const cut = await aside.evaluate((it) => [it.scrollLeft, it.scrollWidth - it.clientWidth]);
+    expect([tab, ...cut]).toEqual([tab, 0, 0]);
+    const body = pot.page.locator("pasu-panel .body");
+    expect([tab, await body.evaluate((it) => it.scrollWidth - it.clientWidth)]).toEqual([tab, 0]);
+  }
+  // The body is wide enough to be read, and the pot to be seen.
+  const boxes = await Promise.all(
+    [pot.page.locator("pasu-panel .body"), pot.page.locator("pasu-stage")].map((it) => it.boundingBox()),
+  );
+  expect(boxes.map((box) => [(box?.width ?? 0) >= 170, (box?.height ?? 0) >= 50])).toEqual([
+    [true, true],
+    [true, true],
+  ]);
+});

@@ -130,17 +130,20 @@ test("a strict policy that names the element's origin is enough", async () => {
   expect(await counted(guest)).toMatchObject({ contexts: 1, workers: 1 });
 });
 
-test("a policy that forbids the worker is told, and what the page put there instead stays", async () => {
-  const { origin } = new URL(here.site.url);
-  const policy = `script-src ${origin} 'unsafe-inline' 'wasm-unsafe-eval'; worker-src 'none'`;
-  const listening =
-    "<script>addEventListener('error', ({ detail }) => { document.title = detail?.code }, true)</script>";
-  const pot = '<pasu-pot src="#1/second-order"><p slot="poster">A vase</p></pasu-pot>';
-  const guest = await here.open(
-    { html: html(listening + pot) },
-    { headers: { "content-security-policy": policy }, expected: /Content Security Policy|violates/ },
-  );
-  await guest.page.getByText("This pot could not be shown.").waitFor();
-  await expect.poll(() => guest.page.title()).toBe("solver-stopped");
-  expect(await guest.page.getByText("A vase").isVisible()).toBe(true);
-});
+test.each(["worker-src 'none'", "require-trusted-types-for 'script'"])(
+  "a policy that forbids the worker is told, and what the page put there instead stays: %s",
+  async (forbidding) => {
+    const { origin } = new URL(here.site.url);
+    const policy = `script-src ${origin} 'unsafe-inline' 'wasm-unsafe-eval'; ${forbidding}`;
+    const listening =
+      "<script>addEventListener('error', ({ detail }) => { document.title = detail?.code }, true)</script>";
+    const pot = '<pasu-pot src="#1/second-order"><p slot="poster">A vase</p></pasu-pot>';
+    const guest = await here.open(
+      { html: html(listening + pot) },
+      { headers: { "content-security-policy": policy }, expected: /Content Security Policy|violates|TrustedScriptURL/ },
+    );
+    await guest.page.getByText("This pot could not be shown.").waitFor();
+    await expect.poll(() => guest.page.title()).toBe("solver-stopped");
+    expect(await guest.page.getByText("A vase").isVisible()).toBe(true);
+  },
+);

@@ -260,9 +260,12 @@ test("without src there is no pot, and there is one again with the next", async 
     expect(await there.getByRole("slider").count()).toBe(0);
     expect(await there.locator("pasu-pot .poster").isVisible()).toBe(true);
     expect(await there.locator("pasu-pot .wheel").count()).toBe(0);
+    // There is nothing to turn, for nobody.
+    expect(await there.getByRole("application").count()).toBe(0);
     await there.evaluate(() => document.querySelector("pasu-pot")?.setAttribute("src", "#1/second-order?height=3"));
     await expect.poll(() => linkOf(there)).toBe("#1/second-order?height=3");
     await expect.poll(() => there.evaluate(() => (document.querySelector("pasu-pot") as Pot).loaded)).toBe(true);
+    await expect.poll(() => there.getByRole("application").count()).toBe(1);
   }
 });
 
@@ -460,6 +463,10 @@ test("the theme is the page's, unless the element says otherwise", async () => {
   await guest.page.evaluate(() => document.documentElement.style.setProperty("color-scheme", "light dark"));
   await guest.page.emulateMedia({ colorScheme: "light" });
   await expect.poll(corner).toBeGreaterThan(150);
+  // Colours that a person has forced are not those of the page.
+  await guest.page.emulateMedia({ colorScheme: "light", forcedColors: "active" });
+  await expect.poll(corner).toBeGreaterThan(150);
+  await guest.page.emulateMedia({ forcedColors: "none" });
   // A switch of the page's own, of which no medium and no attribute tells.
   for (const reducedMotion of ["reduce", "no-preference"] as const) {
     await guest.page.emulateMedia({ colorScheme: "light", reducedMotion });

@@ -198,3 +198,32 @@ test("petals are asked for and counted as the eye counts them", async () => {
   await pot.fingerprintOtherThan(eight);
   expect(await caption()).toContain("999 petals");
 });
+
+test("a number that was far too large leaves neither an empty stage nor a slider of no use", async () => {
+  const pot = await here.enter();
+  const jar = await pot.fingerprint();
+  const [near, ends] = [await distance(pot), await slider(pot, "Height")];
+  await pot.type("Height", "2000");
+  const huge = await pot.fingerprintOtherThan(jar);
+  await expect.poll(() => distance(pot)).toBeGreaterThan(20 * near);
+  expect((await slider(pot, "Height")).max).toBeGreaterThanOrEqual(2000);
+  await pot.type("Height", "20");
+  await pot.shows(jar);
+  await expect.poll(() => distance(pot)).toBeLessThan(1.2 * near);
+  await expect.poll(async () => (await slider(pot, "Height")).max).toBe(ends.max);
+  // Undone it is as good.
+  await pot.undo();
+  await pot.shows(huge);
+  await pot.undo();
+  await pot.shows(jar);
+  await expect.poll(() => distance(pot)).toBeLessThan(1.2 * near);
+  // Where somebody has come nearer on purpose the camera stays.
+  await pot.type("Height", "200");
+  await pot.fingerprintOtherThan(jar);
+  await pot.page.getByRole("application").focus();
+  await pot.page.keyboard.press("+");
+  await expect.poll(() => distance(pot)).toBeGreaterThan(2 * near);
+  await pot.type("Height", "20");
+  await pot.shows(jar);
+  expect(await distance(pot)).toBeGreaterThan(2 * near);
+});

@@ -25,18 +25,33 @@ describe("typed numbers", () => {
     ["1.234,5", 1234.5],
     ["1,234.5", 1234.5],
     ["12'000", 12000],
+    ["12’000'000,5", 12000000.5],
     ["-0", 0],
   ])("%j is %d", (text, expected) => {
     expect(value(text)).toBe(expected);
   });
 
-  test.each(["", "   ", "abc", "1.2.3", "1,2,3", "--1", "1e", "0x10", "Infinity", "NaN", "1e999", "5 cm", "1;2"])(
-    "%j is refused",
-    (text) => {
-      const typed = parseNumber(text);
-      expect("problem" in typed && typed.problem.code).toMatch(/^(empty|no-number|too-large)$/);
-    },
-  );
+  test.each([
+    "",
+    "   ",
+    "abc",
+    "1.2.3",
+    "1,2,3",
+    "--1",
+    "1e",
+    "0x10",
+    "Infinity",
+    "NaN",
+    "1e999",
+    "5 cm",
+    "1;2",
+    "2'",
+    "1' 2",
+    "12'00",
+  ])("%j is refused", (text) => {
+    const typed = parseNumber(text);
+    expect("problem" in typed && typed.problem.code).toMatch(/^(empty|no-number|too-large)$/);
+  });
 });
 
 describe("shown numbers", () => {
@@ -84,17 +99,33 @@ describe("typed lengths", () => {
     ["1,5 × 10^-3 m", "mm", 1.5],
     ["7", "in", 7],
     ["1e-3", "cm", 0.001],
+    [`1' 2"`, "in", 14],
+    [`5'10"`, "in", 70],
+    ["5’ 10½″", "in", 70.5],
+    ["5 ft 10 in", "cm", 177.8],
+    ["2 ft. 6 1/2", "in", 30.5],
+    ["−1'6", "in", -18],
+    ["2'", "cm", 60.96],
+    ["12'000", "mm", 12000],
+    [`1'000"`, "in", 12],
+    ["½ in", "in", 0.5],
+    ["1 ½", "cm", 1.5],
+    ["-¼", "cm", -0.25],
   ])("%j in %s is %d", (text, unit, expected) => {
     const typed = parseLength(text, unit);
     expect("value" in typed && typed.value).toBeCloseTo(expected, 9);
   });
 
-  test.each(["", "wide", "12 furlongs", "1/0 in", "in", "12 in in", "1e999 mm"])("%j is no length", (text) => {
-    expect(parseLength(text, "cm")).toHaveProperty("problem");
-  });
+  test.each(["", "wide", "12 furlongs", "1/0 in", "in", "12 in in", "1e999 mm", "1' two", "2 ft high", "½½"])(
+    "%j is no length",
+    (text) => {
+      expect(parseLength(text, "cm")).toHaveProperty("problem");
+    },
+  );
 
   test("a number without a unit of length takes none", () => {
     expect(parseLength("12 in", "°")).toHaveProperty("problem");
     expect(parseLength("12", "°")).toEqual({ value: 12 });
+    expect(parseLength("1/2", "")).toEqual({ value: 0.5 });
   });
 });

@@ -14,10 +14,10 @@ const DIGITS_SHOWN = 6;
 
 /**
  * Reads a typed number: decimal comma or point, spaces of any kind, the real minus sign, exponents
- * (`1e-3`, `1,5 × 10^-3`). Two marks are read as grouping only when they cannot be anything else (`1,234.5`).
+ * (`1e-3`, `1,5 × 10^-3`). Two marks are read as grouping only when they cannot be anything else (`1,234.5`), a raised comma before three digits (`12'000`).
  */
 export function parseNumber(text: string): Typed {
-  let plain = text.replace(/[\s\u00a0\u202f\u2009'’_]/g, "").replace(/[\u2212\u2013\uff0d]/g, "-");
+  let plain = text.replace(/(\d)['’](?=\d{3}(?!\d))|[\s_]/g, "$1").replace(/[\u2212\u2013\uff0d]/g, "-");
   if (plain === "") return { problem: { code: "empty" } };
   plain = plain.replace(/[×x*]10\^?/i, "e");
   const comma = plain.lastIndexOf(",");
@@ -40,20 +40,34 @@ const MILLIMETRES: Readonly<Record<string, number>> = { mm: 1, cm: 10, m: 1000, 
 const LENGTH =
   /^(.*?)(millimet(?:er|re)s?|centimet(?:er|re)s?|met(?:er|re)s?|inch(?:es)?|feet|foot|mm|cm|m|in\.?|ft\.?|″|"|′|')?$/i;
 
+/** Feet and inches, whose mark may be left out. */
+const FEET = /^([+-]?)(\d+)\s*(?:feet|foot|ft\.?|′|'|’)\s*([\d.,½¼¾].*?)\s*(inch(?:es)?|in\.?|″|"|”|'')?$/i;
+
 const FRACTION = /^([+-]?)(?:(\d+)\s+)?(\d+)\s*[/\u2044]\s*(\d+)$/;
 
 /**
  * Reads a typed length in a unit (`mm`, `cm` or `in`): a number as {@link parseNumber} reads it or a fraction (`1/2`, `1 1/2`), and behind it any unit of length, from which it is
- * converted. Without one it is in `unit`.
+ * converted. Without one it is in `unit`. Feet may have inches behind them (`5 ft 10 in`, `5'10"`).
  */
 export function parseLength(text: string, unit: string): Typed {
-  const [, amount = "", written] = LENGTH.exec(text.trim()) ?? [];
   const own = MILLIMETRES[unit];
+  const [, sign, feet, rest = "", mark] = FEET.exec(withoutSigns(text)) ?? [];
+  // 12'000 is a number.
+  if (own !== undefined && feet !== undefined && (mark !== undefined || !/^\d{3}(\D|$)/.test(rest))) {
+    const inches = parseAmount(rest);
+    if ("value" in inches) return converted((sign === "-" ? -1 : 1) * (12 * Number(feet) + inches.value), "in", own);
+  }
+  const [, amount = "", written] = LENGTH.exec(text.trim()) ?? [];
   const typed = parseAmount(amount);
   // A sentence that ends in m is no length: it is named as it was typed.
   if ("problem" in typed) return parseAmount(text);
-  if (!written || own === undefined) return own === undefined ? parseNumber(text) : typed;
-  const value = (typed.value * (MILLIMETRES[unitOf(written)] ?? own)) / own;
+  if (!written || own === undefined) return own === undefined ? parseAmount(text) : typed;
+  return converted(typed.value, unitOf(written), own);
+}
+
+/** A length in a unit, in one of so many millimetres. */
+function converted(length: number, unit: string, own: number): Typed {
+  const value = (length * (MILLIMETRES[unit] ?? own)) / own;
   if (!Number.isFinite(value)) return { problem: { code: "too-large" } };
   return { value: Number(value.toPrecision(CONVERTED_DIGITS)) };
 }
@@ -69,13 +83,23 @@ function unitOf(written: string): string {
   return /^(f|′|')/.test(word) ? "ft" : "in";
 }
 
-/** A number as {@link parseNumber} reads it, or a fraction (`1/2`, `1 1/2`). */
+/** Fractions that are one letter. */
+const LETTERS: Readonly<Record<string, string>> = { "½": "1/2", "¼": "1/4", "¾": "3/4" };
+
+/** A number as {@link parseNumber} reads it, or a fraction (`1/2`, `1 1/2`, `1½`). */
 export function parseAmount(text: string): Typed {
-  const plain = text.trim().replace(/[\u2212\u2013\uff0d]/g, "-");
+  const plain = withoutSigns(text).replace(/(\d?)\s*([½¼¾])/g, (_, digit: string, letter: string) =>
+    `${digit} ${LETTERS[letter]}`.trim(),
+  );
   const [, sign = "", whole = "0", part, of] = FRACTION.exec(plain) ?? [];
   if (part === undefined || Number(of) === 0) return parseNumber(text);
   const size = Number(whole) + Number(part) / Number(of);
   return { value: sign === "-" ? -size : size };
+}
+
+/** With the plain minus sign in place of others. */
+function withoutSigns(text: string): string {
+  return text.trim().replace(/[\u2212\u2013\uff0d]/g, "-");
 }
 
 function shortened(text: string): string {

@@ -565,9 +565,9 @@ export class PasuApp extends DesignerElement {
           margin-top: -14px;
         }
       }
-      @media (max-height: 32.5em) and (max-width: 61.1875em) and (orientation: landscape) {
+      @media (max-height: 32.5em) and (min-width: 30em) and (max-width: 61.1875em) and (orientation: landscape) {
         :host {
-          grid: 52px minmax(0, 1fr) / minmax(0, 1fr) 46vw;
+          grid: 52px minmax(0, 1fr) / minmax(0, 1fr) max(46vw, 19rem);
         }
         aside {
           margin-top: 0;

@@ -186,6 +186,7 @@ export class PasuPanel extends DesignerElement {
       }
       .tabs {
         display: flex;
+        overflow: auto hidden;
         padding: 0 14px;
         border-bottom: 1px solid var(--line);
       }

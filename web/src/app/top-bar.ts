@@ -155,8 +155,7 @@ export class PasuTopBar extends DesignerElement {
         opacity: 1;
       }
       .unsaved {
-        min-width: 0;
-        overflow: hidden;
+        flex: none;
         color: var(--soft);
         font-size: 0.86rem;
         text-overflow: ellipsis;

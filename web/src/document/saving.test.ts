@@ -27,6 +27,16 @@ test.each([
   expect(scaleOf(made, MEASURES, "cm").size).toBeCloseTo(factor, 12);
 });
 
+test("what the sign beside a field says may be typed into it, and another unit of length", () => {
+  expect(making({ shrinkage: "12 %" })).toEqual({ product: "pot", shrinkage: 12 });
+  expect(making({ shrinkage: "12½%" })).toEqual({ product: "pot", shrinkage: 12.5 });
+  expect(making({ tolerance: "0.1 in" })).toEqual(making({ tolerance: "2.54" }));
+  expect(making({ size: "height", measure: "100 mm" })).toEqual(making({ size: "height", measure: "10" }));
+  for (const choices of [{ shrinkage: "12 cm" }, { tolerance: "0.1 %" }, { size: "height", measure: "5 %" }] as const) {
+    expect(making(choices)).toHaveProperty("field");
+  }
+});
+
 test("a capacity is chosen in millilitres whatever the unit", () => {
   const made = makingOf({ ...CHOICES, size: "capacity", measure: "1" }, MEASURES, "mm");
   expect(made).toEqual({ product: "pot", size: { capacity: 1000 } });

@@ -1,6 +1,6 @@
 /** From what a person chooses in the export dialogue to what is made, and how large that will be. */
 
-import { formatNumber, parseNumber } from "../number";
+import { formatNumber, parseAmount, parseLength, type Typed } from "../number";
 import { UNITS as MILLIMETRES } from "./tables.gen";
 import type { Design, Format, Making, Measures, Product, Report, Unit } from "./types";
 import { millilitres } from "./volume";
@@ -118,7 +118,7 @@ export const MOST_SHRINKAGE = 50;
 
 /** What is made, or why that cannot be. */
 export function makingOf(choices: Choices, measures: Measures, unit: Unit): Making | Problem {
-  const shrinkage = choices.shrinkage.trim() === "" ? 0 : numberIn(choices.shrinkage);
+  const shrinkage = choices.shrinkage.trim() === "" ? 0 : numberOf(parseAmount(choices.shrinkage.replace(/%\s*$/, "")));
   if (shrinkage === null || shrinkage < 0 || shrinkage >= MOST_SHRINKAGE) {
     return { field: "shrinkage", code: "shrinkage" };
   }
@@ -137,7 +137,7 @@ export function makingOf(choices: Choices, measures: Measures, unit: Unit): Maki
     ...(choices.union ? { union: true } : {}),
   };
   if (choices.tolerance.trim() === "") return sized;
-  const tolerance = numberIn(choices.tolerance);
+  const tolerance = numberOf(parseLength(choices.tolerance, "mm"));
   if (tolerance === null || tolerance <= 0) return { field: "tolerance", code: "tolerance" };
   // The library takes it before scaling.
   return { ...sized, tolerance: tolerance / scaleOf(sized, measures, unit).millimetres };
@@ -179,9 +179,8 @@ export function capacityIn(capacity: number, unit: Unit): number {
 
 /** What was typed, a capacity in millilitres: any unit of volume may stand behind it. */
 function measureIn({ size, measure }: Choices, unit: Unit): number | null {
-  if (size !== "capacity") return numberIn(measure);
-  const typed = parseVolume(measure, capacityUnit(unit).name);
-  return "value" in typed ? typed.value : null;
+  if (size !== "capacity") return numberOf(parseLength(measure, unit));
+  return numberOf(parseVolume(measure, capacityUnit(unit).name));
 }
 
 function sizeOf(kind: SizeKind, measure: number, unit: Unit): NonNullable<Making["size"]> {
@@ -195,8 +194,7 @@ function sizeOf(kind: SizeKind, measure: number, unit: Unit): NonNullable<Making
   }
 }
 
-function numberIn(text: string): number | null {
-  const typed = parseNumber(text);
+function numberOf(typed: Typed): number | null {
   return "value" in typed ? typed.value : null;
 }
 

@@ -16,6 +16,11 @@ test.each([
   ["5.49 US gal", "l", 20781.91069416],
   ["2 litres", "ml", 2000],
   ["5 millilitres", "l", 5],
+  ["300 cm3", "l", 300],
+  ["300cm³", "fl oz", 300],
+  ["20 cc", "ml", 20],
+  ["1 cup", "ml", 236.5882365],
+  ["2½ cups", "l", 591.47059125],
 ] as const)("%j in %s is %d millilitres", (text, unit, expected) => {
   const typed = parseVolume(text, unit);
   expect("value" in typed && typed.value).toBeCloseTo(expected, 9);

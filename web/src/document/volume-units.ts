@@ -3,7 +3,7 @@
 import { parseAmount, type Typed } from "../number";
 import type { Unit } from "./types";
 
-/** Millilitres; ounces, pints, quarts and gallons are those of the United States. */
+/** Millilitres; ounces, cups, pints, quarts and gallons are those of the United States. */
 const MILLILITRES = {
   ml: 1,
   cl: 10,
@@ -13,11 +13,12 @@ const MILLILITRES = {
   pt: 473.176473,
   qt: 946.352946,
   gal: 3785.411784,
+  cup: 236.5882365,
 };
 type VolumeUnit = keyof typeof MILLILITRES;
 
 const VOLUME =
-  /^(.*?)(?:U\.?S\.?\s*)?(millilit(?:er|re)s?|lit(?:er|re)s?|(?:fl\.?|fluid)\s*(?:oz\.?|ounces?)|oz\.?|ounces?|pints?|pt\.?|quarts?|qt\.?|gallons?|gal\.?|ml|cl|dl|l)?$/i;
+  /^(.*?)(?:U\.?S\.?\s*)?(millilit(?:er|re)s?|lit(?:er|re)s?|(?:fl\.?|fluid)\s*(?:oz\.?|ounces?)|oz\.?|ounces?|pints?|pt\.?|quarts?|qt\.?|gallons?|gal\.?|cups?|cm3|cm³|cc|ml|cl|dl|l)?$/i;
 
 /** Reads a typed volume in millilitres; a number alone is in `unit`. */
 export function parseVolume(text: string, unit: "ml" | "l" | "fl oz"): Typed {
@@ -34,7 +35,8 @@ function volumeUnitOf(word: string): VolumeUnit {
   if (word.startsWith("p")) return "pt";
   if (word.startsWith("q")) return "qt";
   if (word.startsWith("g")) return "gal";
-  return word.startsWith("m") ? "ml" : "l";
+  if (word.startsWith("cup")) return "cup";
+  return /^[mc]/.test(word) ? "ml" : "l";
 }
 
 /** In what a capacity is asked for where lengths are in this unit, and how many millilitres that is. */

@@ -98,6 +98,8 @@ const LONGEST_STEP = 0.25;
 /** So many points tell whether a pot is on the stage. */
 const FEW = 2000;
 
+/** Of a pot that grew the camera keeps its distance, unless what is there is smaller than this part of it. */
+const SMALL = 0.2;
 /** So many CSS pixels are left between a fitted pot and the caption. */
 const CAPTION_GAP = 8;
 
@@ -126,6 +128,8 @@ export class Stage {
   private placed = false;
   /** Whether the view was fitted and not touched since: then it stays fitted when the stage changes its shape. */
   private fitted = false;
+  /** How large what grew was when the camera followed it last; 0 where the camera was placed or touched since. */
+  private followed = 0;
   /** Where the caption is, which a fitted pot stays clear of. */
   private caption: Box | null = null;
   /** What the view that was fitted last left free above and below. */
@@ -224,7 +228,7 @@ export class Stage {
   /**
    * Shows parts. Those that it shows already, by their identities and revisions, stay where they are on the GPU; what is different travels there. The arrays of
    * their meshes belong to the stage until it gives them back, which it does when it shows other ones. The camera stays, except that the first pot shown is fitted
-   * into the view, and that one that was seen whole and grows beyond the stage is followed.
+   * into the view, and that one that was seen whole and grows beyond the stage is followed; and followed back, where nobody has looked otherwise, when it is a small part of that again.
    */
   show(model: StageModel): readonly PartMesh[] {
     // What fills the same room is seen as well as before: to look through its points takes longer than to draw a few that moved.
@@ -237,10 +241,12 @@ export class Stage {
     if (!this.placed && this.tableau.bounds) {
       this.placed = true;
       this.place(VIEWS["three-quarter"], true);
-    } else if (whole && !this.sees()) {
+    } else if ((whole && !this.sees()) || this.radius < this.followed * SMALL) {
       const { fitted } = this;
+      const grows = this.radius > this.followed;
       this.place(null, false);
       this.fitted = fitted;
+      this.followed = grows ? this.radius : 0;
     }
     this.changed();
     const kept = new Set(model.parts.map(({ mesh }) => mesh));
@@ -278,6 +284,11 @@ export class Stage {
     const { left, top } = this.root.getBoundingClientRect();
     const part = this.options.onTap ? this.pick(x - left, y - top) : null;
     if (part !== null) this.options.onTap?.(part, adds);
+  }
+
+  /** Of the ball round all that is shown. */
+  private get radius(): number {
+    return this.tableau.seen?.radius ?? 0;
   }
 
   /** Whether all of the pot is on the stage, where the camera is going to be. */
@@ -515,6 +526,7 @@ export class Stage {
 
   private touched(): void {
     this.fitted = false;
+    this.followed = 0;
     this.changed();
   }
 
@@ -599,6 +611,7 @@ export class Stage {
     this.left = this.room();
     this.camera.travel({ ...direction, distance: this.share * this.reach(direction, aspect, this.left) }, atOnce);
     this.fitted = true;
+    this.followed = 0;
     this.loop.invalidate();
   }
 

@@ -4,9 +4,8 @@ import { isAlike } from "../document/alike";
 import { labelOf } from "../document/label";
 import type { Path } from "../document/path";
 import { getPath, setPath } from "../document/path";
-import { inUnit, scaled, type Walls } from "../document/scaled";
 import { LIMITS } from "../document/tables.gen";
-import type { Design, Look, OrderKind, Unit } from "../document/types";
+import type { Design, Look, OrderKind } from "../document/types";
 import { freshIds } from "./part-ids";
 import type { Handling, Overlays, Session, Tab, ThemeChoice } from "./session";
 import type { Change, State } from "./store";
@@ -33,19 +32,6 @@ export function setTitle(state: State, title: string): Change {
     undo: "merge",
     key: "title",
   };
-}
-
-/** Says the pot in another unit: it stays as large as it is, and its numbers change. */
-export function setUnit(state: State, unit: Unit): Change {
-  const design = inUnit(state.design, unit);
-  return design === state.design ? NOTHING : { design, undo: "step", convert: (origin) => inUnit(origin, unit) };
-}
-
-/** Makes the pot so many times as large. */
-export function resize(state: State, factor: number, walls: Walls): Change {
-  if (!(factor > 0 && Number.isFinite(factor)) || factor === 1) return NOTHING;
-  const convert = (design: Design) => scaled(design, factor, walls);
-  return { design: convert(state.design), undo: "step", convert };
 }
 
 /** Glazes a part otherwise, or makes it of another clay; undefined takes away what was said. What a hand goes on choosing is one step with `key`. */

@@ -5,6 +5,7 @@ import { type Field, familyOf } from "../document/schema";
 import type { Design, Handle, Shape } from "../document/types";
 import * as actions from "./actions";
 import { changePlace } from "./place-actions";
+import { setUnit } from "./scale-actions";
 import { NEW_SESSION } from "./session";
 import * as shapeActions from "./shape-actions";
 import { Store } from "./store";
@@ -163,7 +164,7 @@ describe("actions", () => {
     const before = store.state;
     set(1, true);
     store.apply(actions.setTitle(store.state, "Start"));
-    store.apply(actions.setUnit(store.state, "cm"));
+    store.apply(setUnit(store.state, "cm"));
     expect(store.state.design).toBe(before.design);
     expect(store.canUndo).toBe(false);
   });

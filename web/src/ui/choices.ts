@@ -60,6 +60,12 @@ export const choiceStyles = css`
     background: var(--accent-wash);
     box-shadow: inset 0 0 0 1px var(--accent);
   }
+  @media (forced-colors: active) {
+    .choices label:has(:checked) {
+      outline: 2px solid Highlight;
+      outline-offset: -2px;
+    }
+  }
   .choices label:has(:focus-visible) {
     outline: 2.5px solid var(--accent);
     outline-offset: 2px;

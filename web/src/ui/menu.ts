@@ -1,4 +1,4 @@
-/** A button that opens a small panel of controls above or below itself. Escape and a press elsewhere close it. */
+/** A button that opens a small panel of controls above or below itself. Escape, a press elsewhere and a focus that goes elsewhere close it. */
 
 import { css, html, LitElement, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
@@ -27,11 +27,16 @@ export class PasuMenu extends LitElement {
   override connectedCallback(): void {
     super.connectedCallback();
     document.addEventListener("pointerdown", this.pressed, true);
+    this.addEventListener("focusout", this.left);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     document.removeEventListener("pointerdown", this.pressed, true);
+  }
+
+  override focus(options?: FocusOptions): void {
+    this.button.focus(options);
   }
 
   override render() {
@@ -74,6 +79,11 @@ export class PasuMenu extends LitElement {
 
   private readonly pressed = (event: Event): void => {
     if (this.open && !event.composedPath().includes(this)) this.open = false;
+  };
+
+  /** To nowhere it goes when the window is left, or what has it is pressed or taken away. */
+  private readonly left = ({ relatedTarget }: FocusEvent): void => {
+    if (relatedTarget instanceof Node && !this.contains(relatedTarget)) this.open = false;
   };
 
   private readonly chosen = (): void => {

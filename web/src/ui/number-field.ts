@@ -2,12 +2,12 @@
 
 import { css, html, LitElement, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import { formatNumber, parseLength, parseNumber, stepped } from "../number";
+import { formatNumber, parseLength, stepped } from "../number";
 import { controls } from "../words/english/controls";
 import { quantities } from "../words/english/quantities";
 import { numberProblemWords } from "../words/typed";
 import { icon } from "./icons";
-import { type Range, reaching } from "./range";
+import { type Range, reaching, usable } from "./range";
 import { base, buttons, fields } from "./styles";
 import { symbol } from "./symbol";
 
@@ -62,7 +62,7 @@ export class PasuNumber extends LitElement {
   @query("#field") private readonly field!: HTMLInputElement;
   @query(".slider") private readonly slider!: HTMLInputElement | null;
   private inGesture = false;
-  /** What the slider reaches: from `min` to `max`, and to every number that there was outside of them. */
+  /** What the slider reaches: from `min` to `max`, and to every number that there was outside of them, unless it was far outside. */
   private range: Range = { low: 0, high: 1 };
 
   /** The slider where there is one: a field would bring up the keys of a phone. */
@@ -71,7 +71,10 @@ export class PasuNumber extends LitElement {
   }
 
   override willUpdate(changed: Map<PropertyKey, unknown>): void {
-    const kept = changed.has("min") || changed.has("max") ? { low: this.min, high: this.max } : this.range;
+    const usual = { low: this.min, high: this.max };
+    const isNew = changed.has("min") || changed.has("max");
+    // What a hand is at keeps its ends.
+    const kept = isNew ? usual : this.inGesture ? this.range : usable(this.range, usual, this.value);
     this.range = reaching(kept, this.value);
     // The number changed from elsewhere (undo, a handle): what was typed no longer stands for anything. Under the hand of who types it stays, whatever was made of it: more digits may follow.
     const stale = changed.has("value") || (changed.has("problem") && this.problem === "");
@@ -178,11 +181,10 @@ export class PasuNumber extends LitElement {
     this.style.setProperty("--fill", `${(100 * fill).toFixed(2)}%`);
   }
 
-  /** A field of a length takes any unit of length. */
+  /** A field of a length takes any unit of length; another one its own sign, which says nothing more. */
   private read(text: string) {
-    // A sign that may be typed and says nothing more.
-    if (this.unit === "%") return parseNumber(text.trim().replace(/%$/, ""));
-    return this.unit === "" ? parseNumber(text) : parseLength(text, this.unit);
+    const plain = /[%°]/.test(this.unit) ? text.replace(/(%|°|deg(rees?)?)\s*$/i, "") : text;
+    return parseLength(plain, this.unit);
   }
 
   private send(value: number, gesture: boolean): void {
@@ -203,6 +205,7 @@ export class PasuNumber extends LitElement {
   private readonly finish = (): void => {
     if (!this.inGesture) return;
     this.inGesture = false;
+    this.requestUpdate();
     this.dispatchEvent(new Event("number-done", { bubbles: true, composed: true }));
   };
 

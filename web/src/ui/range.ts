@@ -15,6 +15,15 @@ export function reaching(range: Range, value: number): Range {
     : { ...range, low: value < 0 ? -beyond(-value) : 0 };
 }
 
+/** A range that was made wider than this many times is of no use for what is within the usual one. */
+const WIDEST = 5;
+
+/** The range, or the usual one where the number is within that and the range is far wider. */
+export function usable(range: Range, usual: Range, value: number): Range {
+  const isWithin = value >= usual.low && value <= usual.high;
+  return isWithin && range.high - range.low > WIDEST * (usual.high - usual.low) ? usual : range;
+}
+
 function beyond(size: number): number {
   const power = 10 ** Math.floor(Math.log10(size));
   const nice = NICE.find((step) => step * power >= size) ?? 10;

@@ -47,6 +47,12 @@ export const segmented = css`
     color: var(--accent-strong);
     box-shadow: inset 0 0 0 1px var(--accent);
   }
+  @media (forced-colors: active) {
+    fieldset label:has(:checked) {
+      outline: 2px solid Highlight;
+      outline-offset: -2px;
+    }
+  }
   fieldset label:has(:focus-visible) {
     outline: 2.5px solid var(--accent);
     outline-offset: 2px;

@@ -155,7 +155,10 @@ export class Opening {
   /** The address changed under the page: someone pasted a link, or went back. */
   async addressChanged(): Promise<void> {
     const fragment = this.#keeper.foreignFragment;
-    if (this.#begun && fragment !== "") await this.#openText(fragment, true);
+    if (!this.#begun) return;
+    if (fragment !== "") await this.#openText(fragment, true);
+    // Back to an address without a link: it says what is on the stage.
+    else this.#keeper.renewAddress();
   }
 
   /** Opens JSON text or a link. */

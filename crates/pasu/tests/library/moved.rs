@@ -67,11 +67,12 @@ fn all_that_is_told_of_a_copy_is_on_the_triangles_that_are_made_of_it() {
         let made = solution.solid(&Making::default());
         for (part, shift) in measures.parts.iter().zip(SHIFTS) {
             assert!(made.is_err() || part.is_pot, "{seed}: {:?}", part.reason);
-            // What was found on the first is where that is, unless rounding decides where a wall is thin.
-            let is_even = part.thickness.is_none_or(|thickness| thickness.thinned.value == 0.0);
+            // What was found on the first is where that is, unless rounding decides where a wall is thin, or too thin for the numbers of a file where it stands.
+            let is_even = part.is_pot == measures.parts[0].is_pot
+                && part.thickness.is_none_or(|thickness| thickness.thinned.value == 0.0);
             let here = places(part);
             for (place, first) in here.iter().zip(places(&measures.parts[0])).filter(|_| is_even) {
-                assert!((*place - shift - first).length() <= 1e-12 * shift.length(), "{seed}: {place} {shift} {first}");
+                assert!((*place - shift - first).length() <= 1e-12 * shift.length(), "{seed}: {place} {shift} {first} {}", solution.design().to_json());
             }
             let Ok(meshes) = &made else { continue };
             let mesh = &meshes[part.part];

@@ -97,6 +97,12 @@ export class PasuBlendChooser extends LitElement {
         background: var(--accent-wash);
         box-shadow: inset 0 0 0 1px var(--accent);
       }
+      @media (forced-colors: active) {
+        label:has(:checked) {
+          outline: 2px solid Highlight;
+          outline-offset: -2px;
+        }
+      }
       label:has(:focus-visible) {
         outline: 2.5px solid var(--accent);
         outline-offset: 2px;

@@ -50,6 +50,9 @@ interface Found {
 
 const EMPTY: Sheet = { right: [], left: null, axis: SHEET / 2, height: 0 };
 
+/** What was drawn for a new pot when the dialogue was closed without using it, and in which unit it has its height: it is there when the dialogue is opened again. */
+let left: { readonly sheet: Sheet; readonly unit: Unit } | null = null;
+
 @customElement("pasu-draw")
 export class PasuDraw extends DesignerElement {
   /** Whether it takes the place of the selected part's shape; a new pot otherwise. */
@@ -88,6 +91,7 @@ export class PasuDraw extends DesignerElement {
     this.first = this.redraws && extents ? Number(extents.height.toPrecision(3)) : HEIGHTS[this.unit];
     this.sheet = { ...EMPTY, height: this.first };
     this.steps = new Steps(this.sheet);
+    if (!this.redraws && left?.unit === this.unit) this.take(left.sheet);
     const section = this.redraws ? surface.shown?.solved.section : null;
     if (section) this.present = linesOnSheet([section.right, section.left], this.sheet.axis);
   }
@@ -322,10 +326,12 @@ export class PasuDraw extends DesignerElement {
     if (this.redraws) designer.apply(redraw(designer.state, shape));
     else designer.opening.open(drawnPot(shape, ready.sheet.height, unit));
     designer.notices.say(words.done(shape.rings.length, boundWords(distance, unit)));
-    this.close();
+    if (!this.redraws) left = null;
+    this.dispatchEvent(new Event("draw-closed"));
   };
 
   private readonly close = (): void => {
+    if (!this.redraws) left = this.sheet.right.length > 0 ? { sheet: this.sheet, unit: this.unit } : null;
     this.dispatchEvent(new Event("draw-closed"));
   };
 

@@ -8,7 +8,8 @@ import { isOwn, swatchOf } from "../../document/swatches";
 import * as tables from "../../document/tables.gen";
 import type { ClayChoice, ClayName, Colour, GlazeChoice, GlazeName, Unit } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
-import { type LookChange, setLook, setUnit } from "../../state/actions";
+import { type LookChange, setLook } from "../../state/actions";
+import { setUnit } from "../../state/scale-actions";
 import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, fields } from "../../ui/styles";
@@ -193,6 +194,12 @@ export class PasuLook extends DesignerElement {
         background: var(--accent-wash);
         box-shadow: inset 0 0 0 1px var(--accent);
       }
+      @media (forced-colors: active) {
+        .swatch:has(:checked) {
+          outline: 2px solid Highlight;
+          outline-offset: -2px;
+        }
+      }
       .swatch:has(input[type="radio"]:focus-visible) {
         outline: 2.5px solid var(--accent);
         outline-offset: 2px;
@@ -204,7 +211,9 @@ export class PasuLook extends DesignerElement {
         margin: 0;
         cursor: pointer;
       }
+      /* Colours are what these are about, whatever colours a person has chosen for pages. */
       .dot {
+        forced-color-adjust: none;
         width: 26px;
         height: 26px;
         flex: none;

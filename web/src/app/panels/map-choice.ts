@@ -51,6 +51,7 @@ export class PasuMaps extends DesignerElement {
     css`
       :host {
         display: grid;
+        grid-template-columns: minmax(0, 1fr);
         gap: 10px;
       }
       label {
@@ -62,6 +63,7 @@ export class PasuMaps extends DesignerElement {
       }
       select {
         flex: 1;
+        min-width: 0;
         max-width: 240px;
         font-weight: 400;
       }

@@ -91,12 +91,12 @@ export class PasuRingCards extends DesignerElement {
     return html`<li>
       <div class="head">
         <h3>${name} <span>${tags.length === 0 ? nothing : words.like(tags)}</span></h3>
-        <pasu-menu label=${words.does(name)} icon="more" bare once>
+        <pasu-menu data-ring=${index} label=${words.does(name)} icon="more" bare once>
           ${index < last ? this.item("up", words.above, () => this.add(shape, index)) : nothing}
           ${index > 0 ? this.item("down", words.below, () => this.add(shape, index - 1)) : nothing}
           ${tags.length > 0 ? this.item("reset", words.makeRound, () => this.change(index, madeRound)) : nothing}
           ${end && shape[end] ? this.item("reset", words.freeEnd, () => this.designer.apply(changeRings(this.designer.state, (pot) => withFreeEnd(pot, end)))) : nothing}
-          ${between ? this.item("remove", words.remove, () => this.designer.apply(removeRing(this.designer.state, index))) : nothing}
+          ${between ? this.item("remove", words.remove, () => void this.takeAway(index)) : nothing}
         </pasu-menu>
       </div>
       ${this.length(words.radius, name, index, "r", ring.r.mean, [0, radius])}
@@ -119,6 +119,13 @@ export class PasuRingCards extends DesignerElement {
         ${restOf(ring) === 0 ? nothing : html`<p class="rest">${words.pulled(restOf(ring))}</p>`}
       </details>
     </li>`;
+  }
+
+  /** The focus goes to the ring below: what it was on has gone with its card. */
+  private async takeAway(index: number): Promise<void> {
+    this.designer.apply(removeRing(this.designer.state, index));
+    await this.updateComplete;
+    this.renderRoot.querySelector<HTMLElement>(`pasu-menu[data-ring="${index - 1}"]`)?.focus();
   }
 
   private item(sign: "up" | "down" | "reset" | "remove", label: string, act: () => void) {

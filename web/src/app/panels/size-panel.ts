@@ -9,7 +9,7 @@ import { millilitres } from "../../document/volume";
 import { parseVolume } from "../../document/volume-units";
 import { DesignerElement } from "../../element/designer-element";
 import { formatNumber, parseLength } from "../../number";
-import { resize, setUnit } from "../../state/actions";
+import { resize, setUnit } from "../../state/scale-actions";
 import { checks } from "../../ui/checks";
 import { base, fields } from "../../ui/styles";
 import { customaryWords } from "../../words/customary";
@@ -46,7 +46,9 @@ export class PasuSize extends DesignerElement {
     const { designer } = this;
     const { design } = designer.state;
     const { made } = designer;
-    const measures = made?.isOfNow(made.measures) ? made.measures.value : null;
+    // While it is measured a field keeps the focus that it has.
+    const waits = made !== null && !made.isOfNow(made.measures);
+    const measures = waits ? null : (made?.measures.value ?? null);
     const wall = design.parts.find((part) => part.wall)?.wall;
     const unit = unitOf(design);
     return html`<section aria-labelledby="size">
@@ -64,9 +66,9 @@ export class PasuSize extends DesignerElement {
         </select>
       </div>
       <div class="sizes">
-        ${(["height", "width", "capacity"] as const).map((sized) => this.field(sized, measures))}
+        ${(["height", "width", "capacity"] as const).map((sized) => this.field(sized, measures, waits))}
       </div>
-      ${this.problem ? html`<p class="problem" role="alert">${this.problem.text}</p>` : nothing}
+      ${this.problem ? html`<p id="problem" class="problem" role="alert">${this.problem.text}</p>` : nothing}
       ${
         wall
           ? html`<label class="check">
@@ -84,7 +86,7 @@ export class PasuSize extends DesignerElement {
     </section>`;
   }
 
-  private field(sized: Sized, measures: Measures | null) {
+  private field(sized: Sized, measures: Measures | null, waits: boolean) {
     const unit = unitOf(this.designer.state.design);
     const size = measures && sizeOf(measures, sized);
     const volume = sized === "capacity" && size !== null ? millilitres(size, unit) : null;
@@ -101,8 +103,10 @@ export class PasuSize extends DesignerElement {
           autocomplete="off"
           spellcheck="false"
           .value=${text}
-          ?disabled=${shown === null || this.trying}
+          ?disabled=${shown === null && !waits}
+          ?readonly=${waits || this.trying}
           aria-invalid=${wrong ? "true" : "false"}
+          aria-describedby=${wrong ? "problem" : nothing}
           @change=${(event: Event) => void this.take(sized, event.target as HTMLInputElement, text, litres ? "l" : "ml")}
         /><span class="unit" aria-hidden="true">${sized === "capacity" ? (litres ? quantities.litres : quantities.millilitres) : quantities.units[unit]}</span></span
       >
@@ -166,7 +170,7 @@ export class PasuSize extends DesignerElement {
       }
       .sizes {
         display: grid;
-        grid-template-columns: repeat(3, minmax(0, 1fr));
+        grid-template-columns: repeat(auto-fit, minmax(5.5rem, 1fr));
         gap: 9px;
       }
       .sizes label {

@@ -71,7 +71,7 @@ export class PasuPotElement extends LitElement implements Contract {
       lengths: LENGTH_LABELS[this.shown ? unitOf(this.shown.design) : "cm"],
       page: { takesWheel: () => this.shadowRoot?.activeElement === this.host },
       onDrawn: () => this.drawn(),
-      onCamera: () => this.dispatchEvent(new Event("camera-change")),
+      onCamera: () => this.isLoaded && this.dispatchEvent(new Event("camera-change")),
     }),
     opened: () => this.display(),
     closing: () => {
@@ -490,6 +490,8 @@ export class PasuPotElement extends LitElement implements Contract {
   override render() {
     const { mode } = this.holder;
     const label = this.alt || this.shown?.design.title || pot.aPot;
+    // Where there is no pot there is nothing to turn.
+    const turns = mode !== "still" && this.isLoaded;
     return html`
       <span class="probe" aria-hidden="true" @transitionrun=${() => this.holder.stage?.theme(this.scheme())}></span>
       <div class="frame">
@@ -497,11 +499,11 @@ export class PasuPotElement extends LitElement implements Contract {
         <div
           class="stage"
           part="stage"
-          tabindex=${mode === "still" ? nothing : 0}
-          role=${mode === "still" ? nothing : "application"}
-          aria-roledescription=${mode === "still" ? nothing : pot.view}
+          tabindex=${turns ? 0 : nothing}
+          role=${mode === "still" ? nothing : turns ? "application" : "img"}
+          aria-roledescription=${turns ? pot.view : nothing}
           aria-label=${mode === "still" ? nothing : label}
-          aria-describedby=${mode === "still" ? nothing : "keys"}
+          aria-describedby=${turns ? "keys" : nothing}
           @keydown=${this.key}
           @focus=${this.turn}
           @blur=${this.turn}

@@ -53,6 +53,7 @@ export const potStyles = css`
     position: absolute;
     visibility: hidden;
     color: light-dark(#fff, #000);
+    forced-color-adjust: none;
     transition: color 1ms step-start !important;
   }
   .frame {
