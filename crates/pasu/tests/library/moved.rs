@@ -72,7 +72,11 @@ fn all_that_is_told_of_a_copy_is_on_the_triangles_that_are_made_of_it() {
                 && part.thickness.is_none_or(|thickness| thickness.thinned.value == 0.0);
             let here = places(part);
             for (place, first) in here.iter().zip(places(&measures.parts[0])).filter(|_| is_even) {
-                assert!((*place - shift - first).length() <= 1e-12 * shift.length(), "{seed}: {place} {shift} {first} {}", solution.design().to_json());
+                assert!(
+                    (*place - shift - first).length() <= 1e-12 * shift.length(),
+                    "{seed}: {place} {shift} {first} {}",
+                    solution.design().to_json()
+                );
             }
             let Ok(meshes) = &made else { continue };
             let mesh = &meshes[part.part];
