@@ -158,7 +158,6 @@ export class PasuTopBar extends DesignerElement {
         flex: none;
         color: var(--soft);
         font-size: 0.86rem;
-        text-overflow: ellipsis;
         white-space: nowrap;
       }
       .history,
