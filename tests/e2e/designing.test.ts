@@ -211,7 +211,7 @@ test("where the commands stand beside the title it is read to its end, and that 
       const all = [...(bar.shadowRoot?.querySelectorAll(".title, .unsaved") ?? [])];
       return all.map((each) => each.scrollWidth - each.clientWidth);
     });
-  for (const width of [1081, 1100, 1180, 1280, 1281, 1440]) {
+  for (const width of [1081, 1100, 1121, 1180, 1280, 1281, 1345, 1440]) {
     await pot.page.setViewportSize({ width, height: 700 });
     await expect.poll(cut, { message: `${width} wide` }).toEqual([0, 0]);
   }

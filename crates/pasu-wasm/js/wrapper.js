@@ -94,8 +94,9 @@ export function freshMark() {
 
 /** The options of a call without one of them, and that. */
 export function apart(options, name) {
-  if (typeof options !== "object" || options === null || Array.isArray(options)) return { others: options };
+  if (typeof options !== "object" || options === null) return { others: options };
   try {
+    if (Array.isArray(options)) return { others: options };
     const { [name]: taken, ...others } = options;
     return { taken, others };
   } catch (cause) {

@@ -184,12 +184,19 @@ export class PasuTopBar extends DesignerElement {
         display: none;
       }
       /* Of a word and its picture the word: the title has the room. */
-      @media (max-width: 80em) {
+      @media (max-width: 84em) {
         .item {
           padding: 0 5px;
         }
         .files svg {
           display: none;
+        }
+      }
+      /* Where letters are wide, as those of DejaVu Sans, there is just room for all. */
+      @media (min-width: 67.5em) and (max-width: 70em) {
+        :host {
+          gap: 4px;
+          padding: 0 8px 0 12px;
         }
       }
       @media (max-width: 67.4375em) {
