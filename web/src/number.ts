@@ -17,7 +17,7 @@ const DIGITS_SHOWN = 6;
  * (`1e-3`, `1,5 × 10^-3`). Two marks are read as grouping only when they cannot be anything else (`1,234.5`), a raised comma before three digits (`12'000`).
  */
 export function parseNumber(text: string): Typed {
-  let plain = text.replace(/(\d)['’](?=\d{3}(?!\d))|[\s_]/g, "$1").replace(/[\u2212\u2013\uff0d]/g, "-");
+  let plain = withPlainMinus(text).replace(/(\d)['’](?=\d{3}(?!\d))|[\s_]/g, "$1");
   if (plain === "") return { problem: { code: "empty" } };
   plain = plain.replace(/[×x*]10\^?/i, "e");
   const comma = plain.lastIndexOf(",");
@@ -51,7 +51,7 @@ const FRACTION = /^([+-]?)(?:(\d+)\s+)?(\d+)\s*[/\u2044]\s*(\d+)$/;
  */
 export function parseLength(text: string, unit: string): Typed {
   const own = MILLIMETRES[unit];
-  const [, sign, feet, rest = "", mark] = FEET.exec(withoutSigns(text)) ?? [];
+  const [, sign, feet, rest = "", mark] = FEET.exec(withPlainMinus(text)) ?? [];
   // 12'000 is a number.
   if (own !== undefined && feet !== undefined && (mark !== undefined || !/^\d{3}(\D|$)/.test(rest))) {
     const inches = parseAmount(rest);
@@ -88,7 +88,7 @@ const LETTERS: Readonly<Record<string, string>> = { "½": "1/2", "¼": "1/4", "�
 
 /** A number as {@link parseNumber} reads it, or a fraction (`1/2`, `1 1/2`, `1½`). */
 export function parseAmount(text: string): Typed {
-  const plain = withoutSigns(text).replace(/(\d?)\s*([½¼¾])/g, (_, digit: string, letter: string) =>
+  const plain = withPlainMinus(text).replace(/(\d?)\s*([½¼¾])/g, (_, digit: string, letter: string) =>
     `${digit} ${LETTERS[letter]}`.trim(),
   );
   const [, sign = "", whole = "0", part, of] = FRACTION.exec(plain) ?? [];
@@ -98,7 +98,7 @@ export function parseAmount(text: string): Typed {
 }
 
 /** With the plain minus sign in place of others. */
-function withoutSigns(text: string): string {
+function withPlainMinus(text: string): string {
   return text.trim().replace(/[\u2212\u2013\uff0d]/g, "-");
 }
 

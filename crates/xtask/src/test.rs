@@ -18,7 +18,8 @@ end and of the library as it is published, and the browser tests.
 
   --fast   leave out what needs a browser
   --tools  instead of all that, have other programs judge files of many designs: Manifold, trimesh, lib3mf,
-           OpenCASCADE, PrusaSlicer, resvg and the glTF validator. They are installed when first needed
+           OpenCASCADE, PrusaSlicer, resvg, meshio, scikit-fem and the glTF validator. They are installed when
+           first needed
   --package
            instead of all that, pack the crate `pasu`, run its tests in an empty folder, and compare its interface
            with that of the last tag. With CI set, where the same tests ran just before, all of them are checked
