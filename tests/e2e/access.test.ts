@@ -237,6 +237,24 @@ test("sliders have a track where the colours are forced", async () => {
   }
 });
 
+test("only the tab that is shown has a line where the colours are forced", async () => {
+  const pot = await here.enter({ link: "#1/second-order", ...CLEAR, forcedColors: "active" });
+  await pot.fingerprint();
+  await pot.tab("Look");
+  const lines = await pot.page.getByRole("tab").evaluateAll((tabs) =>
+    tabs.map((tab) => {
+      const { borderTopColor, borderBottomColor } = getComputedStyle(tab);
+      return { isShown: tab.ariaSelected === "true", borderTopColor, borderBottomColor };
+    }),
+  );
+  const unseen = lines.find(({ isShown }) => !isShown)?.borderTopColor;
+  expect(unseen).toBe("rgb(255, 255, 255)");
+  for (const { isShown, borderTopColor, borderBottomColor } of lines) {
+    expect(borderTopColor).toBe(unseen);
+    expect(borderBottomColor === unseen).toBe(!isShown);
+  }
+});
+
 test("the shape is told in words, and told again when it changes", async () => {
   const pot = await here.enter({ link: "#1/second-order" });
   const before = await pot.fingerprint();

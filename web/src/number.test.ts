@@ -123,6 +123,14 @@ describe("typed lengths", () => {
     },
   );
 
+  test.each(["12 km", "1,5 yd", "½ furlong", "3 l", "1e3 kg."])("%j is a number in a unit of no length", (text) => {
+    expect(parseLength(text, "cm")).toEqual({ problem: { code: "no-length", typed: text } });
+  });
+
+  test.each(["about 12", "12 in in", "2 ft high", "1.2.3 km", "km", "2x3"])("%j is no number", (text) => {
+    expect(parseLength(text, "cm")).toEqual({ problem: { code: "no-number", typed: text } });
+  });
+
   test("a number without a unit of length takes none", () => {
     expect(parseLength("12 in", "°")).toHaveProperty("problem");
     expect(parseLength("12", "°")).toEqual({ value: 12 });

@@ -5,7 +5,7 @@ import { decimal } from "./language";
 /** Why what was typed is no number. */
 export type NumberProblem =
   | { readonly code: "empty" | "too-large" }
-  | { readonly code: "no-number"; readonly typed: string };
+  | { readonly code: "no-number" | "no-length" | "no-volume"; readonly typed: string };
 
 export type Typed = { readonly value: number } | { readonly problem: NumberProblem };
 
@@ -60,9 +60,19 @@ export function parseLength(text: string, unit: string): Typed {
   const [, amount = "", written] = LENGTH.exec(text.trim()) ?? [];
   const typed = parseAmount(amount);
   // A sentence that ends in m is no length: it is named as it was typed.
-  if ("problem" in typed) return parseAmount(text);
-  if (!written || own === undefined) return own === undefined ? parseAmount(text) : typed;
-  return converted(typed.value, unitOf(written), own);
+  if (own === undefined) return parseAmount(text);
+  if ("problem" in typed) return withoutUnit(text, "no-length");
+  return written === undefined ? typed : converted(typed.value, unitOf(written), own);
+}
+
+/** A number and a word behind it. */
+const IN_UNIT = /^(.*[\d.½¼¾])\s*\p{L}+\.?$/u;
+
+/** What was typed without a unit of its kind: a number all the same, or why it is none. With another unit behind a number it is of another kind. */
+export function withoutUnit(text: string, code: "no-length" | "no-volume"): Typed {
+  const [, amount] = IN_UNIT.exec(text.trim()) ?? [];
+  const isOther = amount !== undefined && "value" in parseAmount(amount);
+  return isOther ? { problem: { code, typed: shortened(text) } } : parseAmount(text);
 }
 
 /** A length in a unit, in one of so many millimetres. */

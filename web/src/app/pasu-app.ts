@@ -578,8 +578,7 @@ export class PasuApp extends DesignerElement {
   ];
 }
 
-/** The solver's sentence first; where it happened and what it means for the stage in small print. */
-/** A person's sentence; where in the document that is stands behind it, for whoever writes documents. */
+/** A person's sentence; in small print what it means for the stage, and where in the document that is, for whoever writes documents. */
 function explain(problem: Refusal, design: Design | null, comfort: string) {
   return html`<p>
     ${refusalWords(problem, design)}<small>${comfort}${problem.path === "" ? nothing : html` <code>${problem.path}</code>`}</small>

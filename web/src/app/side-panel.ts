@@ -212,6 +212,15 @@ export class PasuPanel extends DesignerElement {
         color: var(--ink);
         font-weight: 600;
       }
+      /* What is transparent is drawn there too. */
+      @media (forced-colors: active) {
+        [role="tab"] {
+          border-color: Canvas;
+        }
+        [role="tab"][aria-selected="true"] {
+          border-bottom-color: Highlight;
+        }
+      }
       .body {
         /* What is spoken only stands where it is said, and makes no page longer. */
         position: relative;

@@ -50,10 +50,10 @@ export type Octant = Frozen<pasu.Octant>;
 export type Shape = TwoSided | VertexFrame | Blend | Octant;
 export type Kind = Shape["kind"];
 
-/** What makes a surface a pot. */
 /** The outside of a scan, level by level. */
 export type Levels = pasu.Levels;
 
+/** What makes a surface a pot. */
 export type Wall = Frozen<pasu.Wall>;
 
 export type Placement = Frozen<pasu.Placement>;

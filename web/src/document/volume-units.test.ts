@@ -30,6 +30,11 @@ test.each(["", "a cup", "12 in"])("%j is no volume", (text) => {
   expect(parseVolume(text, "ml")).toHaveProperty("problem");
 });
 
+test("a number in a unit of no volume is told as such", () => {
+  expect(parseVolume("12 in", "ml")).toEqual({ problem: { code: "no-volume", typed: "12 in" } });
+  expect(parseVolume("a cup", "ml")).toEqual({ problem: { code: "no-number", typed: "a cup" } });
+});
+
 test("ounces below a pint, pints below a gallon, gallons from there on", () => {
   const units = [330, 473.176473, 3785, 3785.411784, 4481].map((each) => customary(each).unit);
   expect(units).toEqual(["ounce", "pint", "pint", "gallon", "gallon"]);

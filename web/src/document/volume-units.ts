@@ -1,6 +1,6 @@
 /** Units of volume that people type and read. */
 
-import { parseAmount, type Typed } from "../number";
+import { parseAmount, type Typed, withoutUnit } from "../number";
 import type { Unit } from "./types";
 
 /** Millilitres; ounces, cups, pints, quarts and gallons are those of the United States. */
@@ -24,7 +24,7 @@ const VOLUME =
 export function parseVolume(text: string, unit: "ml" | "l" | "fl oz"): Typed {
   const [, amount = "", written = unit] = VOLUME.exec(text.trim()) ?? [];
   const typed = parseAmount(amount);
-  if ("problem" in typed) return parseAmount(text);
+  if ("problem" in typed) return withoutUnit(text, "no-volume");
   const value = typed.value * MILLILITRES[volumeUnitOf(written.toLowerCase())];
   return Number.isFinite(value) ? { value } : { problem: { code: "too-large" } };
 }

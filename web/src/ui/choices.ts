@@ -1,6 +1,7 @@
 /** A few choices beside each other, one of which holds: radio buttons that look like cards. */
 
-import { css, html, nothing } from "lit";
+import { type CSSResultGroup, css, html, nothing } from "lit";
+import { radios } from "./radios";
 
 export interface Choice<T extends string> {
   readonly value: T;
@@ -18,7 +19,7 @@ export function choices<T extends string>(
     <legend>${legend}</legend>
     <div>
       ${all.map(
-        ({ value, label, note }) => html`<label>
+        ({ value, label, note }) => html`<label class="radio">
           <input type="radio" name=${legend} .checked=${value === chosen} @change=${() => choose(value)} />
           <span class="name">${label}</span>${note === undefined ? nothing : html`<span class="note">${note}</span>`}
         </label>`,
@@ -27,59 +28,35 @@ export function choices<T extends string>(
   </fieldset>`;
 }
 
-export const choiceStyles = css`
-  .choices {
-    margin: 12px 0 0;
-    padding: 0;
-    border: 0;
-  }
-  .choices legend {
-    padding: 0 0 6px;
-    font-weight: 600;
-  }
-  .choices div {
-    display: grid;
-    grid-template-columns: repeat(auto-fit, minmax(min(9.375rem, 100%), 1fr));
-    gap: 8px;
-  }
-  .choices label {
-    position: relative;
-    display: grid;
-    align-content: center;
-    min-height: var(--touch);
-    padding: 7px 12px;
-    border: 1px solid var(--line);
-    border-radius: 10px;
-    cursor: pointer;
-  }
-  .choices label:hover {
-    background: var(--well);
-  }
-  .choices label:has(:checked) {
-    border-color: var(--accent);
-    background: var(--accent-wash);
-    box-shadow: inset 0 0 0 1px var(--accent);
-  }
-  @media (forced-colors: active) {
-    .choices label:has(:checked) {
-      outline: 2px solid Highlight;
-      outline-offset: -2px;
+export const choiceStyles: CSSResultGroup = [
+  radios,
+  css`
+    .choices {
+      margin: 12px 0 0;
+      padding: 0;
+      border: 0;
     }
-  }
-  .choices label:has(:focus-visible) {
-    outline: 2.5px solid var(--accent);
-    outline-offset: 2px;
-  }
-  .choices input {
-    position: absolute;
-    inset: 0;
-    margin: 0;
-    opacity: 0;
-    cursor: pointer;
-  }
-  .choices .note {
-    color: var(--soft);
-    font-size: 0.84rem;
-    line-height: 1.3;
-  }
-`;
+    .choices legend {
+      padding: 0 0 6px;
+      font-weight: 600;
+    }
+    .choices div {
+      display: grid;
+      grid-template-columns: repeat(auto-fit, minmax(min(9.375rem, 100%), 1fr));
+      gap: 8px;
+    }
+    .choices label {
+      display: grid;
+      align-content: center;
+      min-height: var(--touch);
+      padding: 7px 12px;
+      border: 1px solid var(--line);
+      border-radius: 10px;
+    }
+    .choices .note {
+      color: var(--soft);
+      font-size: 0.84rem;
+      line-height: 1.3;
+    }
+  `,
+];

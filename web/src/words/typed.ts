@@ -5,5 +5,5 @@ import type { NumberProblem } from "../number";
 import { controls } from "./english/controls";
 
 export function numberProblemWords(problem: NumberProblem): string {
-  return controls.typed[problem.code](problem.code === "no-number" ? isolated(problem.typed) : "");
+  return controls.typed[problem.code]("typed" in problem ? isolated(problem.typed) : "");
 }

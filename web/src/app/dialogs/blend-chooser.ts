@@ -5,6 +5,7 @@ import { customElement, state } from "lit/decorators.js";
 import { reachOf } from "../../document/blend/section";
 import type { Exhibit } from "../../document/gallery/exhibit";
 import { PLAN_NAMES, type PlanName, sampleOf, vaseBetween } from "../../document/gallery/section-choices";
+import { radios } from "../../ui/radios";
 import { base, buttons } from "../../ui/styles";
 import { blends as words } from "../../words/english/blends";
 import { drawingStyles, sectionDrawing } from "../drawing/section-drawing";
@@ -45,7 +46,7 @@ export class PasuBlendChooser extends LitElement {
       <legend>${legend}</legend>
       <div>
         ${PLAN_NAMES.map(
-          (name) => html`<label>
+          (name) => html`<label class="radio">
             <input type="radio" name=${legend} .checked=${name === chosen} @change=${() => choose(name)} />
             <span class="drawing" aria-hidden="true">${sectionDrawing(sampleOf(name), null, REACH, "")}</span>
             <span>${words.plans[name]}</span>
@@ -58,6 +59,7 @@ export class PasuBlendChooser extends LitElement {
   static override readonly styles = [
     base,
     buttons,
+    radios,
     drawingStyles,
     css`
       :host {
@@ -79,7 +81,6 @@ export class PasuBlendChooser extends LitElement {
         gap: 8px;
       }
       label {
-        position: relative;
         display: grid;
         justify-items: center;
         gap: 2px;
@@ -87,32 +88,6 @@ export class PasuBlendChooser extends LitElement {
         border: 1px solid var(--line);
         border-radius: 10px;
         font-size: 0.88rem;
-        cursor: pointer;
-      }
-      label:hover {
-        background: var(--well);
-      }
-      label:has(:checked) {
-        border-color: var(--accent);
-        background: var(--accent-wash);
-        box-shadow: inset 0 0 0 1px var(--accent);
-      }
-      @media (forced-colors: active) {
-        label:has(:checked) {
-          outline: 2px solid Highlight;
-          outline-offset: -2px;
-        }
-      }
-      label:has(:focus-visible) {
-        outline: 2.5px solid var(--accent);
-        outline-offset: 2px;
-      }
-      input {
-        position: absolute;
-        inset: 0;
-        margin: 0;
-        opacity: 0;
-        cursor: pointer;
       }
       .drawing {
         width: 100%;

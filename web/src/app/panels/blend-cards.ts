@@ -23,7 +23,6 @@ import { unitOf } from "../../document/look";
 import { type Path, pathText } from "../../document/path";
 import type { Blend, Section } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
-import { toggleExplain } from "../../state/actions";
 import { changeBlend, changeSection } from "../../state/blend-actions";
 import { cells } from "../../ui/cells";
 import "../../ui/number-field";
@@ -32,12 +31,12 @@ import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field"
 import { base, buttons, fields, pointed } from "../../ui/styles";
 import { blends as words } from "../../words/english/blends";
 import { page } from "../../words/english/page";
-import { parameters } from "../../words/english/parameters";
 import { lengthWords } from "../../words/quantities";
 import { whyWords } from "../../words/refusals";
 import { drawingStyles, sectionDrawing } from "../drawing/section-drawing";
 import "./blend-inside";
 import "./blend-solving";
+import { explainButton } from "./explain-button";
 
 const DEGREES = 180;
 /** What petals are drawn to, in percent of the radius. */
@@ -51,7 +50,7 @@ export class PasuBlendCards extends DesignerElement {
   private readonly remembered = new Map<string, Ornament>();
 
   override render() {
-    const { design, part, session } = this.designer.state;
+    const { design, part } = this.designer.state;
     const blend = design.parts[part]?.shape;
     if (blend?.kind !== "blend") return nothing;
     // The ranges go by the blend that was opened: no number moves the range of another.
@@ -63,14 +62,7 @@ export class PasuBlendCards extends DesignerElement {
     return html`
       <div class="intro">
         <p><strong>${words.lead}</strong> ${words.about}</p>
-        <button
-          class="button outlined"
-          type="button"
-          aria-pressed=${session.explain ? "true" : "false"}
-          @click=${() => this.designer.apply(toggleExplain(this.designer.state))}
-        >
-          ${parameters.explain}
-        </button>
+        ${explainButton(this.designer)}
       </div>
       ${this.clash(blend)}
       <ol>

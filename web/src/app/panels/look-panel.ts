@@ -12,6 +12,7 @@ import { type LookChange, setLook } from "../../state/actions";
 import { setUnit } from "../../state/scale-actions";
 import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
+import { radios } from "../../ui/radios";
 import { base, fields } from "../../ui/styles";
 import { look } from "../../words/english/look";
 import { quantities } from "../../words/english/quantities";
@@ -73,12 +74,12 @@ export class PasuLook extends DesignerElement {
       <legend>${legend}</legend>
       <div class="swatches">
         ${names.map(
-          ([name, text]) => html`<label class="swatch">
+          ([name, text]) => html`<label class="radio swatch">
             <input type="radio" name=${of} .checked=${chosen === name} @change=${() => this.choose({ [of]: name })} />
             <span class="dot ${name}"></span><span>${text}</span>
           </label>`,
         )}
-        <label class="swatch">
+        <label class="radio swatch">
           <input
             type="radio"
             name=${of}
@@ -157,6 +158,7 @@ export class PasuLook extends DesignerElement {
   static override readonly styles = [
     base,
     fields,
+    radios,
     css`
       :host {
         display: block;
@@ -176,7 +178,6 @@ export class PasuLook extends DesignerElement {
         gap: 8px;
       }
       .swatch {
-        position: relative;
         display: flex;
         align-items: center;
         gap: 10px;
@@ -184,32 +185,6 @@ export class PasuLook extends DesignerElement {
         padding: 0 12px;
         border: 1px solid var(--line);
         border-radius: 12px;
-        cursor: pointer;
-      }
-      .swatch:hover {
-        background: var(--well);
-      }
-      .swatch:has(:checked) {
-        border-color: var(--accent);
-        background: var(--accent-wash);
-        box-shadow: inset 0 0 0 1px var(--accent);
-      }
-      @media (forced-colors: active) {
-        .swatch:has(:checked) {
-          outline: 2px solid Highlight;
-          outline-offset: -2px;
-        }
-      }
-      .swatch:has(input[type="radio"]:focus-visible) {
-        outline: 2.5px solid var(--accent);
-        outline-offset: 2px;
-      }
-      .swatch input[type="radio"] {
-        position: absolute;
-        opacity: 0;
-        inset: 0;
-        margin: 0;
-        cursor: pointer;
       }
       /* Colours are what these are about, whatever colours a person has chosen for pages. */
       .dot {

@@ -16,6 +16,7 @@ import { changeNetwork } from "../../state/network-actions";
 import { cells } from "../../ui/cells";
 import { icon } from "../../ui/icons";
 import "../../ui/number-field";
+import { lock } from "../../ui/lock";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons, disclosure, fields } from "../../ui/styles";
 import { networks as words } from "../../words/english/networks";
@@ -340,6 +341,7 @@ export class PasuNetworkPatch extends DesignerElement {
     fields,
     cells,
     disclosure,
+    lock,
     css`
       :host {
         display: block;
@@ -350,26 +352,6 @@ export class PasuNetworkPatch extends DesignerElement {
       }
       .lead {
         color: var(--soft);
-      }
-      .lock {
-        min-height: 30px;
-        padding: 0 8px;
-        margin-left: -8px;
-        color: var(--soft);
-        font-size: 0.84rem;
-      }
-      .lock[aria-pressed="true"] {
-        background: none;
-        color: var(--soft);
-      }
-      .lock .icon {
-        width: 16px;
-        height: 16px;
-      }
-      @media (pointer: coarse) {
-        .lock {
-          min-height: var(--touch);
-        }
       }
       .reach {
         display: flex;

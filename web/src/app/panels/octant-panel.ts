@@ -6,14 +6,13 @@ import { alike, PRESETS, presetOf } from "../../document/octant/presets";
 import { pathText } from "../../document/path";
 import type { Octant } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
-import { toggleExplain } from "../../state/actions";
 import { changeOctant } from "../../state/octant-actions";
 import "../../ui/number-field";
 import { intro } from "../../ui/intro";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
 import { base, buttons, pointed } from "../../ui/styles";
 import { octants as words } from "../../words/english/octants";
-import { parameters } from "../../words/english/parameters";
+import { explainButton } from "./explain-button";
 
 const SYMBOLS = ["a", "b", "c"];
 /** What a slider goes through; what is typed may be anything that there is. */
@@ -24,7 +23,7 @@ const STEP = 0.1;
 @customElement("pasu-octant")
 export class PasuOctant extends DesignerElement {
   override render() {
-    const { design, part, session } = this.designer.state;
+    const { design, part } = this.designer.state;
     const octant = design.parts[part]?.shape;
     if (octant?.kind !== "octant") return html``;
     const opened = this.originOf(octant);
@@ -32,14 +31,7 @@ export class PasuOctant extends DesignerElement {
     return html`
       <div class="intro">
         <p><strong>${words.lead}</strong> ${words.about}</p>
-        <button
-          class="button outlined"
-          type="button"
-          aria-pressed=${session.explain ? "true" : "false"}
-          @click=${() => this.designer.apply(toggleExplain(this.designer.state))}
-        >
-          ${parameters.explain}
-        </button>
+        ${explainButton(this.designer)}
       </div>
       <div class="presets" role="group" aria-label=${words.presets}>
         ${PRESETS.map(

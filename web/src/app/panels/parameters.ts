@@ -19,15 +19,16 @@ import {
 } from "../../document/schema";
 import type { Shape } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
-import { toggleExplain } from "../../state/actions";
 import { resetFields, setFields, setLock } from "../../state/shape-actions";
 import { icon } from "../../ui/icons";
+import { lock } from "../../ui/lock";
 import "../../ui/number-field";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
 import { base, buttons, disclosure, pointed } from "../../ui/styles";
 import { page } from "../../words/english/page";
 import { parameters } from "../../words/english/parameters";
 import { fieldWords } from "../../words/parameters";
+import { explainButton } from "./explain-button";
 
 const NEVER = 1e-12;
 
@@ -150,17 +151,9 @@ export class PasuParameters extends DesignerElement {
   };
 
   private intro(family: Family) {
-    const { session } = this.designer.store;
     return html`<div class="intro">
         <p>${parameters.kinds[family.kind]} <span>${parameters.sources[family.kind]}</span></p>
-        <button
-          class="button outlined"
-          type="button"
-          aria-pressed=${session.explain ? "true" : "false"}
-          @click=${() => this.designer.apply(toggleExplain(this.designer.state))}
-        >
-          ${parameters.explain}
-        </button>
+        ${explainButton(this.designer)}
     </div>`;
   }
 
@@ -240,6 +233,7 @@ export class PasuParameters extends DesignerElement {
     base,
     buttons,
     disclosure,
+    lock,
     pointed,
     css`
       :host {
@@ -284,26 +278,6 @@ export class PasuParameters extends DesignerElement {
         padding-bottom: 8px;
         color: var(--soft);
         text-wrap: pretty;
-      }
-      .lock {
-        min-height: 30px;
-        padding: 0 8px;
-        margin-left: -8px;
-        color: var(--soft);
-        font-size: 0.84rem;
-      }
-      .lock[aria-pressed="true"] {
-        background: none;
-        color: var(--soft);
-      }
-      .lock .icon {
-        width: 16px;
-        height: 16px;
-      }
-      @media (pointer: coarse) {
-        .lock {
-          min-height: var(--touch);
-        }
       }
     `,
   ];

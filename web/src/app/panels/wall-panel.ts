@@ -10,7 +10,6 @@ import type { Shape, Wall } from "../../document/types";
 import { isThickness, type WallField, wallFields, wallNumber, wallRange } from "../../document/wall";
 import { DesignerElement } from "../../element/designer-element";
 import { longest } from "../../solver/solved";
-import { toggleExplain } from "../../state/actions";
 import { setFootRing, setLining, setPot, setRim, setSide, setWallNumber } from "../../state/wall-actions";
 import { checks } from "../../ui/checks";
 import { choiceStyles, choices } from "../../ui/choices";
@@ -20,10 +19,10 @@ import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons } from "../../ui/styles";
 import { page } from "../../words/english/page";
-import { parameters } from "../../words/english/parameters";
 import { wall as words } from "../../words/english/wall";
 import { refusalWords, whyWords } from "../../words/refusals";
 import { fittedWords } from "../../words/remedies";
+import { explainButton } from "./explain-button";
 import { isThinned, remedies, remedyStyles } from "./remedies";
 
 /** How many waves a soft inside keeps at first, and at most by its slider. */
@@ -50,7 +49,7 @@ export class PasuWall extends DesignerElement {
 
   override render() {
     const { designer } = this;
-    const { design, part, session } = designer.state;
+    const { design, part } = designer.state;
     const wall = design.parts[part]?.wall;
     const shape = design.parts[part]?.shape;
     if (!shape) return nothing;
@@ -68,14 +67,7 @@ export class PasuWall extends DesignerElement {
     }
     return html`
       <div class="head">
-        <button
-          class="button outlined"
-          type="button"
-          aria-pressed=${session.explain ? "true" : "false"}
-          @click=${() => designer.apply(toggleExplain(designer.state))}
-        >
-          ${parameters.explain}
-        </button>
+        ${explainButton(designer)}
         <button class="button outlined walling" type="button" @click=${() => designer.apply(setPot(designer.state, false, this.size))}>
           ${words.remove}
         </button>
@@ -260,8 +252,6 @@ export class PasuWall extends DesignerElement {
     `,
   ];
 }
-
-/** Whether patches go round a body, which is a solid without a wall. */
 
 /** Each value of a choice with its words. */
 function told<T extends string>(all: Readonly<Record<T, { readonly label: string; readonly note: string }>>) {

@@ -15,6 +15,9 @@ export const controls = phrases("controls", {
   typed: {
     empty: () => "Type a number.",
     "no-number": (typed: string) => `“${typed}” is not a number.`,
+    "no-length": (typed: string) => `“${typed}” is no length: behind its number mm, cm, m, in or ft can stand.`,
+    "no-volume": (typed: string) =>
+      `“${typed}” is no volume: behind its number ml, l, fl oz, pt, qt, gal or cups can stand.`,
     "too-large": () => "This number is too large.",
   } satisfies Readonly<Record<NumberProblem["code"], (typed: string) => string>>,
 });
