@@ -5,7 +5,7 @@ use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
-use crate::plain::Plain;
+use crate::plain::{Plain, text};
 use crate::{last, plain_object, source};
 
 #[derive(Deserialize, Default)]
@@ -88,7 +88,7 @@ pub fn tree(source: &JsValue) -> Result<JsValue, JsValue> {
 /// When this is not a tree, neither as an object nor as JSON text, or what it says is not a design.
 #[wasm_bindgen]
 pub fn flat(tree: &JsValue) -> Result<JsValue, JsValue> {
-    let read = || match tree.as_string() {
+    let read = || match text(tree)? {
         Some(text) => Tree::parse(&text),
         None => Tree::read(Plain(tree.clone())),
     };

@@ -7,12 +7,12 @@ use serde::de::DeserializeOwned;
 use wasm_bindgen::JsValue;
 
 use crate::last;
-use crate::plain::Plain;
+use crate::plain::{Plain, text};
 
 /// Reads a design from whatever JavaScript has.
 #[cfg(feature = "making")]
 pub(crate) fn design(source: &JsValue) -> Result<Design> {
-    match source.as_string() {
+    match text(source)? {
         Some(text) => Design::parse(&text),
         None => Design::read(Plain(source.clone())),
     }
@@ -25,7 +25,7 @@ pub(crate) fn shape(shape: &JsValue) -> Result<Shape> {
 
 /// Reads a design and solves it, unless that is what the last call did.
 pub(crate) fn solution(source: &JsValue) -> Result<Rc<Solution>> {
-    match source.as_string() {
+    match text(source)? {
         Some(text) => last::solution_of(&text),
         None => Ok(last::solution(&Design::read(Plain(source.clone()))?)),
     }

@@ -235,6 +235,29 @@ fn a_getter_may_throw_whatever_it_likes() {
 }
 
 #[wasm_bindgen_test]
+fn half_a_letter_is_refused_and_does_not_become_another_one() {
+    for half in ["'a\\ud800'", "'\\udc00b'", "'\\udc00\\ud800'", "'\u{fffd}\\ud83d'"] {
+        let broken = made(&format!("return {half}"));
+        let design = js(DINT_VASE);
+        Reflect::set(&design, &"title".into(), &broken).expect("set");
+        expect(parse(&design), "wrong-type", "title");
+        let design = js(DINT_VASE);
+        let part = Reflect::get(&design, &"parts".into()).and_then(|parts| Reflect::get(&parts, &"0".into()));
+        Reflect::set(&part.expect("a part"), &"name".into(), &broken).expect("set");
+        expect(parse(&design), "wrong-type", "parts[0].name");
+        expect(parse(&broken), "wrong-type", "");
+        expect(mesh(&broken, &JsValue::UNDEFINED, &JsValue::UNDEFINED), "wrong-type", "");
+    }
+    // Whole ones stay what they are, the letter that stands for others among them.
+    for whole in ["a\u{fffd}", "\u{1f3fa} \u{fffd}", ""] {
+        let design = js(DINT_VASE);
+        Reflect::set(&design, &"title".into(), &whole.into()).expect("set");
+        let title = Reflect::get(&parse(&design).expect("a design"), &"title".into()).expect("a title");
+        assert_eq!(title.as_string().unwrap_or_default(), whole);
+    }
+}
+
+#[wasm_bindgen_test]
 fn what_is_no_array_is_not_written_over() {
     let options = js(r#"{ "rows": 5, "columns": 9 }"#);
     for script in [
