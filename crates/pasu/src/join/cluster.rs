@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use super::boxes::{bounds, meet};
 use super::labelled::Labelled;
+use super::turn::Turn;
 use crate::error::Result;
 use crate::watch;
 
@@ -35,13 +36,13 @@ impl Cluster {
         Some(Cluster { number, solid, boxes: vec![whole], whole, n_double: 0 })
     }
 
-    fn with(&self, other: &Cluster, number: usize) -> Option<Cluster> {
+    fn with(&self, other: &Cluster, number: usize, turn: Turn) -> Option<Cluster> {
         // Whatever that crate meets that it did not expect is one pair fewer that can be joined, and no mistake of whoever asked.
         let unite = || compute_boolean(&self.solid, &other.solid, OpType::Add).ok();
         let solid = catch_unwind(AssertUnwindSafe(unite)).ok().flatten()?;
         let ([low, high], [other_low, other_high]) = (self.whole, other.whole);
         let (boxes, whole) = ([&self.boxes[..], &other.boxes].concat(), [low.min(other_low), high.max(other_high)]);
-        let n_double = n_double(&solid);
+        let n_double = n_double(&solid, turn);
         Some(Cluster { number, solid, boxes, whole, n_double })
     }
 
@@ -57,37 +58,46 @@ impl Cluster {
 }
 
 /// How many corners are, in the numbers of a file, where another one is.
-fn n_double(solid: &Manifold) -> usize {
-    let mut corners: Vec<[u32; 3]> =
-        solid.ps.iter().map(|point| point.to_array().map(|x| (x as f32 + 0.0).to_bits())).collect();
+fn n_double(solid: &Manifold, turn: Turn) -> usize {
+    let bits = |point: [f64; 3]| turn.back(point).map(|x| (x as f32 + 0.0).to_bits());
+    let mut corners: Vec<[u32; 3]> = solid.ps.iter().map(|point| bits(point.to_array())).collect();
     corners.sort_unstable();
     corners.array_windows().filter(|[one, next]| one == next).count()
 }
 
-/// The union of all with their corners at these positions, and how many corners of it are where another one is; `None` where there is none.
+/// The union of all with their corners at these positions, made while they are turned, and how many corners of it are where another one is; `None` where there is none.
 ///
 /// Bodies that touch along an edge alone have no union that is like a surface there: it has that edge twice, also when a third body fills the gap. So it goes from two that meet in more than that to two, the smallest first, and what has such an edge is made of others as long as there are any.
-pub(super) fn united(bodies: &[&Labelled], positions: &[Vec<f64>], near: f64) -> Result<Option<(Manifold, usize)>> {
+pub(super) fn united(
+    bodies: &[&Labelled],
+    positions: &[Vec<f64>],
+    near: f64,
+    turn: Turn,
+) -> Result<Option<(Manifold, usize)>> {
     let all = bodies.iter().zip(positions).enumerate();
-    let all = all.map(|(number, (body, positions))| Cluster::of(number, body, positions, near));
+    let all = all.map(|(number, (body, positions))| Cluster::of(number, body, &turn.there(positions), near));
     let Some(mut clusters) = all.collect::<Option<Vec<_>>>() else { return Ok(None) };
     let mut vain: BTreeSet<[usize; 2]> = BTreeSet::new();
     for step in 1..bodies.len() {
         watch::go_on()?;
         clusters.sort_by_key(|cluster| (cluster.n_triangles(), cluster.number));
-        let next = || smallest(&clusters, bodies.len() + step, &mut vain, MOST_VAIN * bodies.len());
+        let next = || smallest(&clusters, bodies.len() + step, turn, &mut vain, MOST_VAIN * bodies.len());
         let Some(union) = watch::share(step - 1, bodies.len() - 1, next) else { return Ok(None) };
         let ([one, other], union) = union;
         clusters.retain(|cluster| cluster.number != one && cluster.number != other);
         clusters.push(union);
     }
-    Ok(clusters.pop().map(|all| (all.solid, all.n_double)))
+    Ok(clusters.pop().map(|mut all| {
+        all.solid.ps.iter_mut().for_each(|point| *point = turn.back(point.to_array()).into());
+        (all.solid, all.n_double)
+    }))
 }
 
 /// The union of two, the smallest first, that meet and have no edge twice then; where there are no such, of two that have, or of two that do not meet. Which two, and what they are; those that were made in vain are remembered.
 fn smallest(
     clusters: &[Cluster],
     number: usize,
+    turn: Turn,
     vain: &mut BTreeSet<[usize; 2]>,
     most_vain: usize,
 ) -> Option<([usize; 2], Cluster)> {
@@ -101,7 +111,7 @@ fn smallest(
             if vain.contains(&pair) || !one.meets(other) {
                 continue;
             }
-            match one.with(other, number) {
+            match one.with(other, number, turn) {
                 Some(union) if union.n_double <= one.n_double + other.n_double => return Some((pair, union)),
                 Some(union) => _ = doubled.get_or_insert((pair, union)),
                 None => {}
@@ -117,6 +127,6 @@ fn smallest(
         let (one, other) = pairs
             .map(|(one, other)| (&clusters[one], &clusters[other]))
             .min_by_key(|(one, other)| (!one.meets(other), one.n_triangles() + other.n_triangles()))?;
-        Some(([one.number, other.number], one.with(other, number)?))
+        Some(([one.number, other.number], one.with(other, number, turn)?))
     })
 }

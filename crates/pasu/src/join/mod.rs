@@ -6,6 +6,7 @@ mod labelled;
 mod narrow;
 mod net;
 mod swollen;
+mod turn;
 mod uncrossed;
 mod union;
 mod unions;

@@ -9,6 +9,7 @@ use super::cluster::united;
 use super::labelled::Labelled;
 use super::net::Net;
 use super::swollen::{Swollen, swollen};
+use super::turn::Turn;
 use crate::check::{self, Topology};
 use crate::error::{Code, Error, Result};
 use crate::mesh::DEFAULT_FINENESS;
@@ -17,9 +18,40 @@ use crate::watch;
 /// The most triangles of all bodies that are joined.
 const MOST_TRIANGLES: usize = 2_000_000;
 
-/// How a union is tried, in turn, until what is left survives rounding to seven digits: corners nearer to each other than the first share of the size are drawn together, and bodies are wider than they are by multiples of the second share of their largest coordinate.
-const ATTEMPTS: [[f64; 2]; 7] =
-    [[1e-12, 0.0], [2e-7, 0.0], [1e-12, 4e-6], [2e-7, 2e-6], [2e-7, 8e-6], [1e-12, 1.6e-5], [2e-6, 0.0]];
+/// How a union is tried, until what is left survives rounding to seven digits.
+#[derive(Clone, Copy)]
+struct Attempt {
+    /// Corners that are nearer to each other than this share of the size are drawn together.
+    near: f64,
+    /// Bodies are wider than they are by multiples of this share of their largest coordinate.
+    wider: f64,
+    /// The number of the turn in which they are joined.
+    turn: usize,
+}
+
+impl Attempt {
+    const fn turned(turn: usize) -> Attempt {
+        Attempt { near: 1e-12, wider: 0.0, turn }
+    }
+
+    const fn of(near: f64, wider: f64) -> Attempt {
+        Attempt { near, wider, turn: 0 }
+    }
+}
+
+/// One after the other.
+const ATTEMPTS: [Attempt; 10] = [
+    Attempt::turned(0),
+    Attempt::turned(1),
+    Attempt::turned(2),
+    Attempt::turned(3),
+    Attempt::of(2e-7, 0.0),
+    Attempt::of(1e-12, 4e-6),
+    Attempt::of(2e-7, 2e-6),
+    Attempt::of(2e-7, 8e-6),
+    Attempt::of(1e-12, 1.6e-5),
+    Attempt::of(2e-6, 0.0),
+];
 
 /// How far the volume of a union may lie outside what those of its bodies allow, as a share of these.
 const SLACK: f64 = 1e-5;
@@ -91,14 +123,15 @@ pub(crate) fn union(bodies: &[&Labelled], tolerance: Option<f64>) -> Result<Unio
     // Corners or edges that are there twice may be where bodies touch in no more than that. What hangs together only when it is wider does.
     let mut is_double = false;
     let mut is_pinched = None;
-    for (index, [near, step]) in ATTEMPTS.into_iter().enumerate() {
+    for (index, Attempt { near, wider, turn }) in ATTEMPTS.into_iter().enumerate() {
         watch::go_on()?;
-        let is_wider = step > 0.0;
-        let Swollen { positions, moved } = swollen(bodies, step * f64::from(largest));
+        let is_wider = wider > 0.0;
+        let Swollen { positions, moved } = swollen(bodies, wider * f64::from(largest));
         if is_wider && (moved > most_moved || kinds.is_empty() || is_pinched == Some(true)) {
             continue;
         }
-        let found = watch::share(index, ATTEMPTS.len(), || united(bodies, &positions, near))?;
+        let turn = Turn::number(turn, f64::from(largest));
+        let found = watch::share(index, ATTEMPTS.len(), || united(bodies, &positions, near, turn))?;
         let Some((solid, n_double)) = found else { continue };
         let Some(soup) = Soup::of(&solid, bodies) else { continue };
         if !is_wider {
