@@ -16,8 +16,9 @@ const DRAWING =
 /** What is said before anything is opened: the rest of the words comes with what says it. */
 const WORDS =
   /[\\/]src[\\/](language|number|words[\\/](english[\\/](controls|description|page|parameters|quantities|refusals)|description|languages|parameters|parts|quantities|refusals|typed))\.ts/;
-/** Symbols of equations are written with it by the panel and on paper: they are no file of their own. */
-const LIT = /[\\/]node_modules[\\/](lit|lit-html|lit-element|@lit)[\\/]|[\\/]src[\\/]ui[\\/]symbol\.ts/;
+/** Symbols of equations are written with it by the panel and on paper, and the button that explains by every panel of numbers: they are no files of their own. */
+const LIT =
+  /[\\/]node_modules[\\/](lit|lit-html|lit-element|@lit)[\\/]|[\\/]src[\\/](ui[\\/]symbol|app[\\/]panels[\\/]explain-button)\.ts/;
 
 export default defineConfig({
   base: "./",

@@ -265,6 +265,38 @@ test("the shape is told in words, and told again when it changes", async () => {
   await expect.poll(() => told.innerText()).toMatch(/^A .* 4\.8 cm high/);
 });
 
+test("a pot with a wall is spoken of once, with its wall, and not again for a title", async () => {
+  const pot = await here.enter({ link: "#1/second-order" });
+  const told = pot.page.locator("pasu-app p.spoken[role=status]");
+  await expect.poll(() => told.innerText(), { timeout: 30_000 }).toMatch(/^A /);
+  const before = await told.innerText();
+  await told.evaluate((region) => {
+    const all: string[] = [];
+    Object.assign(globalThis, { all });
+    new MutationObserver(() => all.push((region as HTMLElement).innerText)).observe(region, {
+      subtree: true,
+      childList: true,
+      characterData: true,
+    });
+  });
+  const said = () => pot.page.evaluate(() => (globalThis as unknown as { all: string[] }).all);
+  await pot.tab("Wall");
+  await pot.button("Make it a pot").click();
+  await pot.button("Remove the wall").waitFor();
+  await expect.poll(async () => (await said()).length, { timeout: 30_000 }).toBe(1);
+  expect((await said())[0]).not.toBe(before);
+  // All that is measured is known.
+  await pot.page
+    .getByText(/^Holds /)
+    .first()
+    .waitFor({ timeout: 30_000 });
+  await pot.page.getByRole("textbox", { name: "Title" }).fill("Another");
+  await pot.page.keyboard.press("Enter");
+  await pot.type("Thickness", "0.4");
+  // It speaks of the other wall next, and of nothing before.
+  await expect.poll(async () => (await said()).length, { timeout: 30_000 }).toBe(2);
+});
+
 test("what is chosen is marked where the colours are forced", async () => {
   const pot = await here.enter({ link: "#1/second-order", ...CLEAR, forcedColors: "active" });
   await pot.fingerprint();

@@ -206,13 +206,17 @@ test("by keys alone: points, arrows, corners and numbers, both sides apart", { t
   expect(await focus()).toMatch(/^Point 1: radius 4\.4\scm, height 0\scm$/);
   await keyboard.press("ArrowRight");
   await expect.poll(focus).toMatch(/^Point 1: radius 4\.45\scm, height 0\scm$/);
+  const spoken = () => pot.page.locator("pasu-drawing-board [role=status]").textContent();
   await keyboard.press("+");
   await expect.poll(() => knots(pot).count()).toBe(4);
+  await expect.poll(spoken).toMatch(/^Added, 4 points\. Point 1: radius 4\.45/);
   await keyboard.press("Tab");
   await keyboard.press("s");
   await expect.poll(() => pot.page.locator("pasu-drawing-board rect.knob").count()).toBe(1);
+  await expect.poll(spoken).toMatch(/^A corner\. Point 2: /);
   await keyboard.press("Delete");
   await expect.poll(() => knots(pot).count()).toBe(3);
+  await expect.poll(spoken).toMatch(/^Taken away, 3 points left\. Point 2: /);
   await pot.page.getByText("Points as numbers").click();
   await pot.type("Radius, Point 2", "8");
   await pot.type("Height, Point 3", "24");
@@ -357,6 +361,40 @@ test("a photograph lies behind, its outline is found, and points of it are dragg
   expect(radii[0]).toBeCloseTo(4, 0);
   expect(radii.at(-1)).toBeCloseTo(4.5, 0);
   expect(sharp).toBe(1);
+});
+
+test("what is wrong with a photograph is said as long as it is, and what is there is of this one", {
+  timeout: 240_000,
+}, async () => {
+  const pot = await here.enter({ link: LINK });
+  await open(pot);
+  await pick(pot, "Photograph…", "vase.png", "image/png", await photograph(pot));
+  await rings(pot);
+  await pot.type("Pot or background", "-3");
+  await pot.page.keyboard.press("Enter");
+  await expect.poll(() => trouble(pot).count()).toBe(1);
+  await rings(pot);
+  expect(await trouble(pot).textContent()).toMatch(/No pot can be told/);
+  await pot.type("Pot or background", "0");
+  await expect.poll(() => trouble(pot).count()).toBe(0);
+  await rings(pot);
+  // Of another photograph the outline of this one is none.
+  await pick(pot, "Photograph…", "wall.png", "image/png", await photograph(pot, true));
+  await expect.poll(() => trouble(pot).count()).toBe(1);
+  expect(await knots(pot).count()).toBe(0);
+  expect(await pot.button("Use it").isDisabled()).toBe(true);
+  await pot.button("Without the photograph").focus();
+  await pot.page.keyboard.press("Enter");
+  await expect
+    .poll(() => pot.page.locator("pasu-draw").evaluate((dialog) => dialog.shadowRoot?.activeElement?.id))
+    .toBe("photo");
+  // A picture may be a drawing.
+  await pick(pot, "Photograph…", "vase.svg", "image/svg+xml", Buffer.from(VASE_SVG));
+  await rings(pot);
+  // No pot is 0 high.
+  await pot.type("Height", "0");
+  await pot.page.getByText("Type a number above 0.").waitFor();
+  expect(await pot.button("Use it").isDisabled()).toBe(false);
 });
 
 test("a finger draws on a phone, everything is within reach, and nothing is said that is not in the catalogue", {

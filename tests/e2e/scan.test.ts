@@ -260,6 +260,31 @@ test("a handle is told of, and what is no scan of a pot is refused in words", { 
   expect(await findings(pot)).toEqual([]);
 });
 
+test("holes are bridged and told, and so is how much of a broken scan is left", { timeout: 240_000 }, async () => {
+  const pot = await here.enter({ link: LINK });
+  await open(pot);
+  const all = triangles();
+  // Some triangles half-way up are missing, and of one a number is none.
+  const middle = 3 * (2 * 100 * 30);
+  const holed = [...all.slice(0, middle), ...all.slice(middle + 12)].map(
+    ([x, y, z], i): Corner => [i === 9000 ? Number.NaN : x, y, z],
+  );
+  await pick(pot, "pot.stl", stl(holed));
+  const [, , , , distance] = await found(pot);
+  expect(Number(distance)).toBeLessThan(0.2);
+  expect(await told(pot).textContent()).not.toMatch(/Only/);
+  await pot.page.getByText(/The scan has holes, 0\.\d+\s?% of what is looked at/).waitFor();
+  // Half of it from two thirds of the height on.
+  const broken = all.filter((_, i) => {
+    const number = Math.floor(i / 3);
+    return Math.floor(number / 200) < 40 || number % 200 < 100;
+  });
+  await pick(pot, "pot.stl", stl(broken));
+  await found(pot);
+  await expect.poll(() => told(pot).textContent()).toMatch(/Only 1[12](\.\d+)?\scm of 18\scm in height are closed/);
+  expect(await findings(pot)).toEqual([]);
+});
+
 test("on a phone all of it is within reach, and nothing is said that is not in the catalogue", {
   timeout: 240_000,
 }, async () => {

@@ -427,9 +427,11 @@ export interface Levels {
   readonly heights: Float64Array;
   /** For each of them the distance from the axis in 180 directions, one every two degrees from that of x. */
   readonly radii: readonly Float64Array[];
+  /** The share of all these places where the scan has a hole, and the wall goes on as it does to either side. To be fitted to, levels need not say it. */
+  readonly holes?: number;
 }
 
-/** The outside of a scan, level by level, to which rings are fitted. Levels that are not closed all round at foot and rim are left out. */
+/** The outside of a scan, level by level, to which rings are fitted. Levels that are not closed all round at foot and rim are left out, holes in the wall between are bridged. */
 export function levels(scan: Scan): Levels;
 
 /** A pot of rings through the levels of a scan. */

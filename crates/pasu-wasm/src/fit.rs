@@ -92,7 +92,7 @@ pub fn fit(from: &JsValue, options: &JsValue) -> core::result::Result<JsValue, J
 /// When the scan is no pot that stands upright.
 #[wasm_bindgen]
 pub fn levels(from: &JsValue) -> core::result::Result<Object, JsValue> {
-    let Levels { axis, bottom, height, heights, radii, .. } = levels_by(from).map_err(|error| thrown(&error))?;
+    let Levels { axis, bottom, height, heights, radii, holes, .. } = levels_by(from).map_err(|error| thrown(&error))?;
     let object = Object::new();
     set(&object, "axis", Array::of2(&axis[0].into(), &axis[1].into()).into())?;
     set(&object, "bottom", bottom.into())?;
@@ -100,5 +100,6 @@ pub fn levels(from: &JsValue) -> core::result::Result<Object, JsValue> {
     set(&object, "heights", Float64Array::from(heights.as_slice()).into())?;
     let sections: Array = radii.iter().map(|section| Float64Array::from(section.as_slice())).collect();
     set(&object, "radii", sections.into())?;
+    set(&object, "holes", holes.into())?;
     Ok(object)
 }

@@ -3,7 +3,7 @@
 //! What a getter, a proxy or a detached array of the caller throws must not leave this module from its middle: it would look like a mistake of ours and cost the instance.
 //! So everything that can throw is imported to be caught, and what is caught is a refusal with the path of what could not be read.
 
-use js_sys::{Array, Float32Array, Float64Array, JsString, Reflect};
+use js_sys::{Array, Float32Array, Float64Array, Reflect};
 use pasu::{Code, Error, Result};
 use serde::de::value::SeqDeserializer;
 use serde::de::{DeserializeSeed, Deserializer, IntoDeserializer, MapAccess, SeqAccess, Visitor};
@@ -38,9 +38,11 @@ impl<'de> Deserializer<'de> for Plain {
 
     fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value> {
         let Plain(value) = self;
-        if let Some(text) = text(&value)? {
-            visitor.visit_string(text)
-        } else if !value.is_object() {
+        if !value.is_object() {
+            #[cfg(feature = "making")]
+            if value.is_string() {
+                text(&value)?;
+            }
             let leaf = serde_wasm_bindgen::Deserializer::from(value.clone());
             leaf.deserialize_any(visitor).map_err(|_| not_plain(&value))
         } else if let Some(numbers) = numbers(&value)? {
@@ -60,18 +62,18 @@ impl<'de> Deserializer<'de> for Plain {
     }
 }
 
-/// A text, letter by letter; `None` for everything else.
+/// A text, letter by letter; `None` for everything else. The module for drawing reads half a letter as any page does, as U+FFFD: it keeps nothing of what it reads.
 ///
 /// # Errors
 /// For half a surrogate pair, which JavaScript has in texts and nobody else: read as usual it would become another letter.
 pub(crate) fn text(value: &JsValue) -> Result<Option<String>> {
-    let Some(text) = value.as_string() else { return Ok(None) };
-    let broken = text.contains(char::REPLACEMENT_CHARACTER) && !value.unchecked_ref::<JsString>().is_valid_utf16();
-    if broken {
+    let text = value.as_string();
+    #[cfg(feature = "making")]
+    if text.as_ref().is_some_and(|text| JsValue::from_str(text) != *value) {
         let message = "expected text, found half of a letter in it: a surrogate without its other half";
         return Err(Error::new(Code::WrongType, "", message));
     }
-    Ok(Some(text))
+    Ok(text)
 }
 
 /// More numbers than any list of a design may have: a typed array is copied into the memory of the module as a whole, before anybody looks at it.

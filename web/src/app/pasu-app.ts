@@ -50,6 +50,10 @@ const LINK = /#1[/~]/;
 /** The query of a link, and the design behind it. */
 const VIEWED_LINK = /(\?[^#\s]*)(#\S+)/;
 
+/** So long nothing changes before a design is spoken of, and so long its wall is waited for. */
+const TELL_MS = 400;
+const WALL_MS = 5000;
+
 /** A file of so many bytes is there before anybody could read that it is being opened. */
 const LONG = 200_000;
 
@@ -64,6 +68,8 @@ export class PasuApp extends DesignerElement {
   @state() private viewed = "";
   @state() private dropping = false;
   @state() private spoken = "";
+  /** The design that was spoken of last. */
+  private told: Design | null = null;
   @query("pasu-stage") readonly stage!: PasuStage;
   @query("pasu-panel") private readonly panel!: PasuPanel;
   private leave: readonly (() => void)[] = [];
@@ -78,7 +84,20 @@ export class PasuApp extends DesignerElement {
       outward(designer, this),
       fetchMadeWhenWanted(designer),
       effect(() => {
-        if (designer.surface.status === "ready" && designer.surface.settled) this.spoken = designer.description;
+        const { made, surface, description } = designer;
+        const design = surface.shown?.design;
+        if (surface.status !== "ready" || !surface.settled || !design) return;
+        const waits = design.parts.some(({ wall }) => wall) && !made?.isOfNow(made.solid);
+        // Once of a design, and not again when a digit more is known or its title is another one.
+        const timer = setTimeout(
+          () => {
+            const { told } = this;
+            this.told = design;
+            if (told?.parts !== design.parts || told.unit !== design.unit) this.spoken = description;
+          },
+          waits ? WALL_MS : TELL_MS,
+        );
+        return () => clearTimeout(timer);
       }),
       effect(() => {
         const { notice } = designer.notices;
@@ -581,7 +600,7 @@ export class PasuApp extends DesignerElement {
 /** A person's sentence; in small print what it means for the stage, and where in the document that is, for whoever writes documents. */
 function explain(problem: Refusal, design: Design | null, comfort: string) {
   return html`<p>
-    ${refusalWords(problem, design)}<small>${comfort}${problem.path === "" ? nothing : html` <code>${problem.path}</code>`}</small>
+    ${refusalWords(problem, design)}<small>${comfort}${problem.path === "" ? nothing : html` <code aria-hidden="true">${problem.path}</code>`}</small>
   </p>`;
 }
 

@@ -2,7 +2,7 @@
 
 import { LIMITS } from "./tables.gen";
 
-/** White space and control characters, which are pasted and are in names of files, become a space. A surrogate pair counts as one character, as it does for the solver; half of one is none. */
+/** White space and control characters, which are pasted and are in names of files, become a space, and so does half of a surrogate pair; a whole one counts as one character, as it does for the solver. */
 export function labelOf(text: string, most: number = LIMITS.characters): string {
-  return [...text.replace(/\p{Surrogate}/gu, "").replace(/[\s\p{Cc}]+/gu, " ").trimStart()].slice(0, most).join("");
+  return [...text.replace(/[\s\p{Cc}\p{Surrogate}]+/gu, " ").trimStart()].slice(0, most).join("");
 }

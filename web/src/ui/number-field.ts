@@ -52,6 +52,8 @@ export class PasuNumber extends LitElement {
   @property({ type: Boolean }) compact = false;
   /** There is no number yet: one can be typed, and keys count from `value`. */
   @property({ type: Boolean }) blank = false;
+  /** Neither 0 nor less can be typed. */
+  @property({ type: Boolean }) positive = false;
   /** What a reset leads back to. */
   @property({ type: Number }) opened: number | null = null;
   /** What the paper printed, to go back to as well. */
@@ -219,7 +221,9 @@ export class PasuNumber extends LitElement {
   private readonly typedInto = (event: Event): void => {
     this.draft = (event.target as HTMLInputElement).value;
     const typed = this.read(this.draft);
-    this.typo = "problem" in typed ? numberProblemWords(typed.problem) : "";
+    const isTooSmall = this.positive && "value" in typed && typed.value <= 0;
+    this.typo = "problem" in typed ? numberProblemWords(typed.problem) : isTooSmall ? controls.positive : "";
+    if (isTooSmall) return;
     // In an empty field every number is another one.
     if ("value" in typed && (this.blank || typed.value !== this.value)) this.send(typed.value, true);
   };

@@ -13,6 +13,18 @@ test("a notice goes when it is dismissed, and a newer one stays", () => {
   expect(notices.notice).toBeNull();
 });
 
+test("what is said twice is gone in between, and of several the last stays", async () => {
+  const notices = new Notices();
+  notices.say("Link copied.");
+  notices.say("Link copied.");
+  expect(notices.notice).toBeNull();
+  await expect.poll(() => notices.notice?.text).toBe("Link copied.");
+  notices.say("Link copied.");
+  notices.say("Saved.");
+  await new Promise((resolve) => setTimeout(resolve, 20));
+  expect(notices.notice?.text).toBe("Saved.");
+});
+
 test("what a notice tells of is taken back once, and that is told too", async () => {
   const notices = new Notices();
   let taken = 0;

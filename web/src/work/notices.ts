@@ -33,7 +33,14 @@ export class Notices {
 
   say(text: string, undo: Undo | null = null): void {
     this.#last += 1;
-    this.#notice.value = { text, id: this.#last, undo };
+    const notice = { text, id: this.#last, undo };
+    const isSaid = this.#notice.peek()?.text === text;
+    this.#notice.value = isSaid ? null : notice;
+    // The same words are read aloud again where they were gone meanwhile.
+    if (!isSaid) return;
+    setTimeout(() => {
+      if (this.#last === notice.id) this.#notice.value = notice;
+    });
   }
 
   /** Does nothing where something newer was said meanwhile. */

@@ -486,6 +486,55 @@ fn what_a_ring_cannot_say_of_a_scan_is_told() {
     assert!(found.distance > 1.0 && without.distance < 0.3 && without.rms < 0.06, "{} {without:?}", found.distance);
 }
 
+/// One missing triangle ended the pot below it, and what was lost was told nowhere.
+#[test]
+fn holes_in_a_scan_are_bridged() {
+    // Six waves go round, and it is 6 high.
+    let pot = Design::parse("#1/fourth-order?r0=2&r1=2&rm=3&h1=6").unwrap();
+    let whole = scan_of(&pot);
+    let sound = levels(&whole).unwrap();
+    assert_eq!(sound.holes, 0.0);
+    let without = |is_gone: &dyn Fn([f64; 3]) -> bool| {
+        let mut scan = whole.clone();
+        let middle = |corners: &[u32; 3]| {
+            [0, 1, 2].map(|axis| {
+                corners.iter().map(|at| f64::from(whole.positions[3 * *at as usize + axis])).sum::<f64>() / 3.0
+            })
+        };
+        let (kept, gone): (Vec<[u32; 3]>, Vec<[u32; 3]>) =
+            whole.indices.as_ref().unwrap().as_chunks::<3>().0.iter().partition(|corners| !is_gone(middle(corners)));
+        assert!(!gone.is_empty());
+        scan.indices = Some(kept.concat());
+        levels(&scan).unwrap()
+    };
+    let about = |z: f64, most: f64, [from, to]: [f64; 2]| {
+        move |at: [f64; 3]| (at[2] - z).abs() < most && (from..to).contains(&at[1].atan2(at[0]))
+    };
+    let tiny = about(3.0, 0.03, [0.5, 0.54]);
+    let [low, high] = [about(0.6, 0.05, [-2.0, -1.9]), about(4.5, 0.05, [1.0, 1.1])];
+    // A fifth of the turn and of the height, and from foot to rim.
+    let (wide, slit) = (about(3.0, 0.6, [0.3, 1.55]), about(3.0, 9.0, [-1.0, -0.9]));
+    let bitten = about(6.0, 1.0, [0.0, 3.1]);
+    for (found, holes) in [
+        (without(&tiny), 0.001),
+        (without(&|at| low(at) || high(at)), 0.002),
+        (without(&wide), 0.06),
+        (without(&slit), 0.03),
+    ] {
+        assert_eq!((found.heights.len(), &found.heights), (sound.heights.len(), &sound.heights));
+        assert!((found.axis[0] - sound.axis[0]).abs() < 0.02 && (found.axis[1] - sound.axis[1]).abs() < 0.02);
+        assert!(found.holes > 0.0 && found.holes < holes, "{} {holes}", found.holes);
+        let fitted = fit_levels(&found, 0.05).unwrap().scanned;
+        assert!(fitted.distance <= 0.05, "{}", fitted.distance);
+        let rings = self::pot(&fitted.design).rings.clone();
+        let height = rings.last().unwrap().z.mean - rings[0].z.mean;
+        assert!((height - 6.0).abs() < 0.05, "{height}");
+    }
+    // What is missing at the rim is no hole: the pot ends below.
+    let found = without(&bitten);
+    assert!((4.9..5.1).contains(found.heights.last().unwrap()) && found.holes == 0.0, "{:?}", found.heights.last());
+}
+
 #[test]
 fn what_is_no_scan_is_refused() {
     let refused = |scan: &Scan, tolerance: f64, code: Code, path: &str| {

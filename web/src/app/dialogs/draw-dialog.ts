@@ -122,7 +122,7 @@ export class PasuDraw extends DesignerElement {
         <div>
           <div class="acts">
             <button class="button outlined" type="button" @click=${this.pickSvg}>${icon("paper")}<span>${words.svg}</span></button>
-            <button class="button outlined" type="button" @click=${this.pickPhoto}>${icon("picture")}<span>${words.photo}</span></button>
+            <button id="photo" class="button outlined" type="button" @click=${this.pickPhoto}>${icon("picture")}<span>${words.photo}</span></button>
             ${drawn ? nothing : html`<button class="button outlined" type="button" @click=${this.plain}>${icon("add")}<span>${words.points}</span></button>`}
             <button class="button bare" type="button" aria-label=${words.back} title=${words.back} aria-disabled=${this.steps.isFirst ? "true" : nothing} @click=${this.back}>
               ${icon("undo")}
@@ -192,9 +192,9 @@ export class PasuDraw extends DesignerElement {
         .max=${3}
         .step=${0.1}
         @number-change=${({ value, gesture }: NumberChangeEvent) => tracing.tell(value, !gesture)}
-        @number-done=${() => this.take(this.sheet)}
+        @number-done=${this.settle}
       ></pasu-number>
-      <button class="button outlined" type="button" @click=${() => tracing.withoutPhoto()}>${words.withoutPhoto}</button>`;
+      <button class="button outlined" type="button" @click=${this.leavePhoto}>${words.withoutPhoto}</button>`;
   }
 
   private points() {
@@ -240,6 +240,11 @@ export class PasuDraw extends DesignerElement {
     this.seek();
   }
 
+  /** The hand has let go. What is said of it stands where nothing came of it. */
+  private readonly settle = (): void => {
+    if (this.trouble === "") this.take(this.sheet);
+  };
+
   private readonly back = (): void => {
     this.trouble = "";
     this.sheet = this.steps.back();
@@ -256,7 +261,16 @@ export class PasuDraw extends DesignerElement {
 
   private readonly clear = (): void => {
     this.tracing.clear();
+    this.empty();
+  };
+
+  private empty(): void {
     this.take({ ...this.sheet, right: [], left: null, axis: SHEET / 2 });
+  }
+
+  private readonly leavePhoto = (): void => {
+    this.tracing.withoutPhoto();
+    void this.updateComplete.then(() => this.renderRoot.querySelector<HTMLElement>("#photo")?.focus());
   };
 
   private readonly plain = (): void => {
@@ -288,7 +302,7 @@ export class PasuDraw extends DesignerElement {
 
   private readonly pickPhoto = async (): Promise<void> => {
     const file = await pickFile("image/*");
-    if (file) await this.tracing.readPhoto(file);
+    if (file) await this.tracing.read(file);
   };
 
   takeTraced(sides: Sides, smoothing: Smoothing, settled: boolean): void {
@@ -297,7 +311,8 @@ export class PasuDraw extends DesignerElement {
     else this.failTracing("flat");
   }
 
-  failTracing(why: Trouble): void {
+  failTracing(why: Trouble, isOther = false): void {
+    if (isOther) this.empty();
     this.trouble = words.refused[why];
   }
 

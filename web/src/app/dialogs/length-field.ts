@@ -26,6 +26,7 @@ export function lengthField({ label, help, unit, value, most, set, done, cancel 
     .unit=${unit}
     .help=${help}
     .value=${value}
+    .positive=${true}
     .min=${0}
     .max=${most}
     .step=${most / STEPS}

@@ -10,12 +10,14 @@ import type { Levels, Unit } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { isolated } from "../../language";
 import type { ScannedShape } from "../../maker/messages";
+import { formatNumber } from "../../number";
 import "../../ui/dialog";
 import { icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
 import { told } from "../../ui/told";
 import { boundWords } from "../../words/bound";
 import { page } from "../../words/english/page";
+import { quantities } from "../../words/english/quantities";
 import { scan as words } from "../../words/english/scan";
 import { cannotWords } from "../../words/freeing";
 import { drawnPot } from "../../work/drawn";
@@ -37,6 +39,9 @@ const LARGE = 60;
 
 /** The slider of the tolerance reaches this part of the height. */
 const COARSEST = 1 / 20;
+
+/** No hole is told to be less than this percentage. */
+const LEAST_SHARE = 0.1;
 
 const PAUSE_MS = 250;
 
@@ -119,8 +124,8 @@ export class PasuScan extends DesignerElement {
   private opened(levels: Levels) {
     const { unit, height, tolerance } = this;
     const { ready } = this.rings;
-    const gap = (levels.heights[1] ?? 0) - (levels.heights[0] ?? 0);
-    const cut = (levels.heights[0] ?? 0) > 2 * gap || levels.height - (levels.heights.at(-1) ?? 0) > 2 * gap;
+    const kept = this.kept(levels);
+    const { holes = 0 } = levels;
     return html`
       <pasu-scan-picture .levels=${levels} .fitted=${this.fitted(levels)} .unit=${unit}></pasu-scan-picture>
       ${lengthField({
@@ -145,10 +150,19 @@ export class PasuScan extends DesignerElement {
           this.seek();
         },
       })}
-      ${cut ? html`<p class="hint">${words.cut}</p>` : nothing}
+      ${kept === null ? nothing : html`<p class="hint">${words.cut(this.length(kept), this.length(height))}</p>`}
+      ${holes > 0 ? html`<p class="hint">${words.holes(quantities.percent(formatNumber(Math.max(LEAST_SHARE, 100 * holes), 2)))}</p>` : nothing}
       ${ready?.withoutHandle ? html`<p class="hint">${words.standsOut(this.length(ready.withoutHandle.rms), this.length(ready.withoutHandle.distance))}</p>` : nothing}
       ${ready && (ready.withoutHandle ?? ready).distance > tolerance ? html`<p class="hint">${words.further}</p>` : nothing}
     `;
+  }
+
+  /** How high the pot is where foot or rim of the scan are left out; null where nothing is. */
+  private kept({ heights, height }: Levels): number | null {
+    const [low = 0, next = 0] = heights;
+    const high = heights.at(-1) ?? 0;
+    const gap = next - low;
+    return low > 2 * gap || height - high > 2 * gap ? ((high - low) / height) * this.height : null;
   }
 
   /** What was found last is nearly true: its colours are seen until there is something better. */
@@ -182,7 +196,9 @@ export class PasuScan extends DesignerElement {
     if (!ready) return nothing;
     const { rings } = ready.shape;
     const waves = new Set(rings.flatMap(({ r }) => (r.waves ?? []).map(({ n }) => n)));
-    return words.found(rings.length, waves.size, this.length(ready.rms), this.length(ready.distance));
+    const kept = this.kept(this.levels);
+    const short = kept === null ? "" : words.cutShort(this.length(kept), this.length(this.height));
+    return words.found(rings.length, waves.size, this.length(ready.rms), this.length(ready.distance)) + short;
   }
 
   private readonly pick = async (): Promise<void> => {
@@ -211,8 +227,7 @@ export class PasuScan extends DesignerElement {
       this.typed = null;
       // No file says which way is up: modellers who write OBJ have y, others z. Where the one is no pot, the other may be.
       const [first, second]: readonly [Up, Up] = scanKind(file.name) === "obj" ? ["y", "z"] : ["z", "y"];
-      await this.read(first);
-      if (this.reading === file && !this.levels) await this.read(second);
+      await this.read(first, second);
     }
   }
 
@@ -234,7 +249,8 @@ export class PasuScan extends DesignerElement {
     void this.read((event.target as HTMLSelectElement).value as Up);
   };
 
-  private async read(up: Up): Promise<void> {
+  /** Reads it with that upwards; where it is no pot so, and `otherwise` is said, with that. */
+  private async read(up: Up, otherwise?: Up): Promise<void> {
     const { triangles, designer, unit } = this;
     if (!triangles) return;
     this.up = up;
@@ -246,6 +262,10 @@ export class PasuScan extends DesignerElement {
     if (this.triangles !== triangles || this.up !== up) return;
     this.busy = false;
     this.levels = outcome?.state === "done" ? outcome.value : null;
+    if (!this.levels && made && otherwise) {
+      await this.read(otherwise);
+      return;
+    }
     this.trouble = this.levels ? "" : made ? words.refused["no-pot"] : page.unfetched;
     if (!this.levels) return;
     const { height } = this.levels;

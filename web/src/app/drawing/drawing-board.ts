@@ -247,14 +247,18 @@ export class PasuDrawingBoard extends LitElement {
     event.stopPropagation();
     this.tell(next, true);
     const name = (event.currentTarget as Element).getAttribute("data-knot");
-    void this.follow(name, side, index);
+    void this.follow(name, sheet, side, index);
   }
 
   /** What was said of the point stays true, and the focus stays on what there is of it. */
-  private async follow(name: string | null, side?: Side, index?: number): Promise<void> {
+  private async follow(name: string | null, before: Sheet, side?: Side, index?: number): Promise<void> {
     await this.updateComplete;
-    const knot = side !== undefined && index !== undefined ? knotsOn(this.sheet, side)[index] : undefined;
-    if (knot && side !== undefined && index !== undefined) this.spoken = this.reading(side, knot, index);
+    if (side !== undefined && index !== undefined) {
+      const at = Math.min(index, knotsOn(this.sheet, side).length - 1);
+      const knot = knotsOn(this.sheet, side)[at];
+      const change = changeOf(knotsOn(before, side), knotsOn(this.sheet, side), index);
+      if (knot) this.spoken = change(this.reading(side, knot, at));
+    }
     const still = this.renderRoot.querySelector<SVGGElement>(`[data-knot="${name}"]`);
     const last = [...this.renderRoot.querySelectorAll<SVGGElement>(`[data-knot^="${side}"]`)].at(-1);
     (still ?? last)?.focus({ preventScroll: true });
@@ -380,6 +384,17 @@ function edited(sheet: Sheet, side: Side, index: number, key: string): Sheet | n
     default:
       return null;
   }
+}
+
+/** What is said of a point of a line that was another one before a key. */
+function changeOf(before: readonly Knot[], after: readonly Knot[], index: number): (reading: string) => string {
+  const all = after.length;
+  if (all > before.length) return (reading) => words.added(all, reading);
+  if (all < before.length) return (reading) => words.removed(all, reading);
+  if (after === before) return () => words.fewest;
+  const [was, is] = [before[index]?.sharp ?? false, after[index]?.sharp ?? false];
+  if (was === is) return (reading) => reading;
+  return is ? words.sharpened : words.smoothed;
 }
 
 function inSheet(value: number): number {

@@ -19,7 +19,8 @@ const PLAIN: Smoothing = 0;
 /** Who draws what was traced; `settled` once the hand has let go. */
 interface Tracer extends ReactiveControllerHost {
   takeTraced(sides: Sides, smoothing: Smoothing, settled: boolean): void;
-  failTracing(why: Trouble): void;
+  /** `isOther` where the outline that is there is that of another photograph. */
+  failTracing(why: Trouble, isOther?: boolean): void;
 }
 
 export class Tracing implements ReactiveController {
@@ -92,9 +93,10 @@ export class Tracing implements ReactiveController {
       this.#host.failTracing("no-photo");
       return;
     }
+    const isOther = this.#photo !== null;
     this.#photo = photo;
     this.#lines = [];
-    this.tell(0, true);
+    this.tell(0, true, isOther);
   }
 
   /** Another line of the file. */
@@ -109,13 +111,13 @@ export class Tracing implements ReactiveController {
   }
 
   /** Tells the pot on the photograph from what is behind it. */
-  tell(sensitivity: number, settled: boolean): void {
+  tell(sensitivity: number, settled: boolean, isOther = false): void {
     const photo = this.#photo;
     if (!photo) return;
     this.#sensitivity = sensitivity;
     const sides = sidesSeen(photo.picture, photo, sensitivity);
     if (sides) this.#host.takeTraced(sides, GRAIN, settled);
-    else this.#host.failTracing("no-pot");
+    else this.#host.failTracing("no-pot", isOther);
     this.#host.requestUpdate();
   }
 

@@ -36,6 +36,7 @@ import { whyWords } from "../../words/refusals";
 import { drawingStyles, sectionDrawing } from "../drawing/section-drawing";
 import "./blend-inside";
 import "./blend-solving";
+import { toggleExplain } from "../../state/actions";
 import { explainButton } from "./explain-button";
 
 const DEGREES = 180;
@@ -62,7 +63,7 @@ export class PasuBlendCards extends DesignerElement {
     return html`
       <div class="intro">
         <p><strong>${words.lead}</strong> ${words.about}</p>
-        ${explainButton(this.designer)}
+        ${explainButton(this.designer.store.session.explain, () => this.designer.apply(toggleExplain(this.designer.state)))}
       </div>
       ${this.clash(blend)}
       <ol>

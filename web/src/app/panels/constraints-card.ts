@@ -60,14 +60,18 @@ export class PasuConstraints extends UnhurriedElement {
   override render() {
     const { known } = this;
     const { design } = this.designer.store;
-    return html`<section aria-labelledby="fit" aria-busy=${known ? "false" : "true"}>
+    // Of what is no design nothing is checked, as long as it is none.
+    const isRefused = this.designer.surface.status === "error";
+    return html`<section aria-labelledby="fit" aria-busy=${known || isRefused ? "false" : "true"}>
       <h4 id="fit" tabindex="-1">${words.heading}</h4>
       ${
         known?.problem
           ? sentences([{ severity: "error", text: refusalWords(known.problem, design) }])
           : known?.value
             ? this.found(known.value, design)
-            : html`<p class="wait" role="status">${page.checking}</p>`
+            : isRefused
+              ? nothing
+              : html`<p class="wait" role="status">${page.checking}</p>`
       }
     </section>`;
   }

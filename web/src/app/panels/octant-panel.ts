@@ -8,6 +8,7 @@ import type { Octant } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { changeOctant } from "../../state/octant-actions";
 import "../../ui/number-field";
+import { toggleExplain } from "../../state/actions";
 import { intro } from "../../ui/intro";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
 import { base, buttons, pointed } from "../../ui/styles";
@@ -31,7 +32,7 @@ export class PasuOctant extends DesignerElement {
     return html`
       <div class="intro">
         <p><strong>${words.lead}</strong> ${words.about}</p>
-        ${explainButton(this.designer)}
+        ${explainButton(this.designer.store.session.explain, () => this.designer.apply(toggleExplain(this.designer.state)))}
       </div>
       <div class="presets" role="group" aria-label=${words.presets}>
         ${PRESETS.map(

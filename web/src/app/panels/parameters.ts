@@ -23,6 +23,7 @@ import { resetFields, setFields, setLock } from "../../state/shape-actions";
 import { icon } from "../../ui/icons";
 import { lock } from "../../ui/lock";
 import "../../ui/number-field";
+import { toggleExplain } from "../../state/actions";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
 import { base, buttons, disclosure, pointed } from "../../ui/styles";
 import { page } from "../../words/english/page";
@@ -153,7 +154,7 @@ export class PasuParameters extends DesignerElement {
   private intro(family: Family) {
     return html`<div class="intro">
         <p>${parameters.kinds[family.kind]} <span>${parameters.sources[family.kind]}</span></p>
-        ${explainButton(this.designer)}
+        ${explainButton(this.designer.store.session.explain, () => this.designer.apply(toggleExplain(this.designer.state)))}
     </div>`;
   }
 

@@ -16,6 +16,7 @@ import { choiceStyles, choices } from "../../ui/choices";
 import { icon } from "../../ui/icons";
 import { CommandEvent } from "../command";
 import "../../ui/number-field";
+import { toggleExplain } from "../../state/actions";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons } from "../../ui/styles";
 import { page } from "../../words/english/page";
@@ -67,7 +68,7 @@ export class PasuWall extends DesignerElement {
     }
     return html`
       <div class="head">
-        ${explainButton(designer)}
+        ${explainButton(designer.store.session.explain, () => designer.apply(toggleExplain(designer.state)))}
         <button class="button outlined walling" type="button" @click=${() => designer.apply(setPot(designer.state, false, this.size))}>
           ${words.remove}
         </button>

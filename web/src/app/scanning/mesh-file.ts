@@ -33,11 +33,24 @@ export async function trianglesOf(file: File): Promise<Float32Array | MeshRefusa
         at += 3;
       }
     }
-    return all.every(Number.isFinite) ? all : "no-mesh";
+    const finite = withFinite(all);
+    return finite.length > 0 ? finite : "no-mesh";
   } catch {
     // Whatever a reader stumbles over: it is no such file.
     return "no-mesh";
   }
+}
+
+/** The triangles of which every coordinate is a number; the others are holes, which are bridged. */
+function withFinite(all: Float32Array): Float32Array {
+  const isWhole = (at: number) => all.subarray(at, at + 9).every(Number.isFinite);
+  let kept = 0;
+  for (let at = 0; at < all.length; at += 9) {
+    if (!isWhole(at)) continue;
+    if (kept < at) all.copyWithin(kept, at, at + 9);
+    kept += 9;
+  }
+  return all.subarray(0, kept);
 }
 
 interface Read {

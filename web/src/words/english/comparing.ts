@@ -12,7 +12,7 @@ export const comparing = phrases("comparing", {
   file: "From a file",
   shelf: "My designs",
   with: (title: string) => `Compared with ${title}`,
-  same: "The same pot: one link, one fingerprint.",
+  same: "The same pot, with one fingerprint.",
   different: "Another pot.",
   units: (here: string, there: string) => `This one is in ${here}, the other in ${there}.`,
   kept: "The same in both",

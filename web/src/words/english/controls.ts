@@ -11,13 +11,13 @@ export const controls = phrases("controls", {
   setToPaper: (name: string, number: string) => `Set ${name} to ${number}, as in the paper`,
   /** What a field says that has no number yet. */
   blank: "none",
+  positive: "Type a number above 0.",
   /** Why what was typed is no number. */
   typed: {
     empty: () => "Type a number.",
     "no-number": (typed: string) => `“${typed}” is not a number.`,
-    "no-length": (typed: string) => `“${typed}” is no length: behind its number mm, cm, m, in or ft can stand.`,
-    "no-volume": (typed: string) =>
-      `“${typed}” is no volume: behind its number ml, l, fl oz, pt, qt, gal or cups can stand.`,
+    "no-length": (typed: string) => `“${typed}” is no length in mm, cm, m, in or ft.`,
+    "no-volume": (typed: string) => `“${typed}” is no volume in ml, l, fl oz, pt, qt, gal or cups.`,
     "too-large": () => "This number is too large.",
   } satisfies Readonly<Record<NumberProblem["code"], (typed: string) => string>>,
 });

@@ -13,6 +13,12 @@ export const drawing = phrases("drawing", {
   point: (number: number) => `Point ${number}`,
   pointOn: (number: number, side: string) => `Point ${number}, ${side}`,
   at: (name: string, radius: string, height: string) => `${name}: radius ${radius}, height ${height}`,
+  /** What became of the line, and the point that has the focus. */
+  added: (all: number, reading: string) => `Added, ${all} points. ${reading}`,
+  removed: (all: number, reading: string) => `Taken away, ${all} points left. ${reading}`,
+  fewest: "A line has two points at least.",
+  sharpened: (reading: string) => `A corner. ${reading}`,
+  smoothed: (reading: string) => `No corner any more. ${reading}`,
   keys: "Arrow keys move the point, with shift further. Plus adds one, Delete takes it away, S makes a corner of it.",
 
   svg: "SVG file…",

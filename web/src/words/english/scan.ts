@@ -36,7 +36,11 @@ export const scan = phrases("scan", {
   further: "Rings cannot follow it any closer; these come nearest.",
   standsOut: (rms: string, most: string) =>
     `Something stands out at one side, like a handle or a spout. A ring goes round the pot once, so that is left away; the rest is ${rms} off (RMS), ${most} at most.`,
-  cut: "The scan is not closed all round at its foot or its rim, at a slanting or a broken edge. The pot ends where it is closed.",
+  cut: (kept: string, height: string) =>
+    `The scan is not closed all round at its foot or its rim, at a slanting or a broken edge, or at a large hole. The pot ends where it is closed: it is ${kept} of ${height} high.`,
+  cutShort: (kept: string, height: string) => ` Only ${kept} of ${height} in height are closed all round.`,
+  holes: (share: string) =>
+    `The scan has holes, ${share} of what is looked at. There the pot goes on as it does to either side.`,
   use: "Use it",
   done: (rings: number, rms: string, most: string) =>
     plural(rings, {

@@ -37,7 +37,8 @@ fn handle_in(section: &[f64]) -> BTreeSet<usize> {
     out.into_iter().flat_map(|k| (0..=2 * ROOT).map(move |i| (k + i + DIRECTIONS - ROOT) % DIRECTIONS)).collect()
 }
 
-fn bridged(section: &[f64], out: &BTreeSet<usize>) -> Section {
+/// A section whose wall goes on in some directions as it does to either side of them.
+pub(super) fn bridged(section: &[f64], out: &BTreeSet<usize>) -> Section {
     // Of a section that is all handle nothing is known.
     if out.len() > DIRECTIONS / 2 {
         return section.to_vec();

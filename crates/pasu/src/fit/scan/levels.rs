@@ -1,10 +1,11 @@
 //! A scan of a pot that stands upright, level by level.
 
 use core::f64::consts::TAU;
+use std::collections::BTreeSet;
 
 use glam::{DVec2, DVec3};
 
-use super::handle::without_handle;
+use super::handle::{bridged, without_handle};
 use super::section::{DIRECTIONS, Section};
 use crate::design::plain;
 use crate::error::{Code, Error, Result};
@@ -23,6 +24,8 @@ pub struct Levels {
     pub heights: Vec<f64>,
     /// For each of them the distance from the axis in 180 directions, one every two degrees from that of x.
     pub radii: Vec<Vec<f64>>,
+    /// The share of all these places where the scan has a hole, and the wall goes on as it does to either side.
+    pub holes: f64,
 }
 
 impl Levels {
@@ -40,13 +43,13 @@ impl Levels {
     /// ```
     pub fn new(heights: Vec<f64>, radii: Vec<Vec<f64>>) -> Levels {
         let height = heights.last().copied().unwrap_or_default();
-        Levels { axis: [0.0; 2], bottom: 0.0, height, heights, radii }
+        Levels { axis: [0.0; 2], bottom: 0.0, height, heights, radii, holes: 0.0 }
     }
 
     /// # Errors
     /// What [`fit_levels`](super::fit_levels) says of levels that are none.
     pub(super) fn check(&self) -> Result<()> {
-        let Levels { axis, bottom, height, heights, radii } = self;
+        let Levels { axis, bottom, height, heights, radii, .. } = self;
         let n = heights.len();
         if n < 2 || n != radii.len() {
             let message =
@@ -97,6 +100,31 @@ const FEWEST: usize = 24;
 /// The axis is where sections have their middle; a few rounds find it.
 const ROUNDS: usize = 3;
 
+/// A level is whole if no more than ten degrees of it are missing, as at a slit.
+const SLIT: usize = DIRECTIONS / 36;
+
+/// Between whole levels up to a quarter of the turn may be missing of one.
+const HOLE: usize = DIRECTIONS / 4;
+
+/// A section in which holes are bridged, and in how many directions it had none of the scan.
+struct Level {
+    section: Section,
+    n_missing: usize,
+}
+
+impl Level {
+    fn of(section: Section) -> Level {
+        let missing: BTreeSet<usize> = (0..DIRECTIONS).filter(|k| !(section[*k] > 0.0)).collect();
+        let n_missing = missing.len();
+        let section = if (1..=HOLE).contains(&n_missing) { bridged(&section, &missing) } else { section };
+        Level { section, n_missing }
+    }
+
+    fn is_whole(&self) -> bool {
+        self.n_missing <= SLIT
+    }
+}
+
 /// Of triangles; nothing where too few levels are closed round an axis.
 pub(super) fn of_triangles(triangles: &[[DVec3; 3]]) -> Option<Levels> {
     let points = || triangles.iter().flatten().copied();
@@ -109,27 +137,29 @@ pub(super) fn of_triangles(triangles: &[[DVec3; 3]]) -> Option<Levels> {
     let place = |i: usize| height * (i as f64 + INSET) / ((LEVELS - 1) as f64 + 2.0 * INSET);
     let all: Vec<f64> = (0..LEVELS).map(place).collect();
     let mut axis = 0.5 * (low + high).truncate();
-    let mut sections = cut(triangles, axis, bottom, &all);
+    let at = |axis: DVec2| -> Vec<Level> { cut(triangles, axis, bottom, &all).into_iter().map(Level::of).collect() };
+    let mut levels = at(axis);
     for _ in 0..ROUNDS {
-        let whole: Vec<Section> = sections.iter().filter(|section| is_whole(section)).cloned().collect();
+        let whole: Vec<Section> =
+            levels.iter().filter(|level| level.is_whole()).map(|level| level.section.clone()).collect();
         axis += middle_of(&without_handle(&whole).unwrap_or(whole))?;
-        sections = cut(triangles, axis, bottom, &all);
+        levels = at(axis);
     }
-    // What is not closed all round, at a broken or slanting rim, is left out; from there on the pot ends.
-    let first = sections.iter().position(|section| is_whole(section))?;
-    let n = sections[first..].iter().take_while(|section| is_whole(section)).count();
-    let within = first..first + n;
-    (n > FEWEST).then(|| Levels {
+    // What is not closed all round, at a broken or slanting foot or rim, is left out: the pot is between whole levels, with holes in its wall at most.
+    let first = levels.iter().position(Level::is_whole)?;
+    let mut within: Vec<Level> = levels.into_iter().skip(first).take_while(|level| level.n_missing <= HOLE).collect();
+    within.truncate(within.iter().rposition(Level::is_whole)? + 1);
+    let n = within.len();
+    let n_missing: usize = within.iter().map(|level| level.n_missing).sum();
+    let n_whole = within.iter().filter(|level| level.is_whole()).count();
+    (n_whole > FEWEST).then(|| Levels {
         axis: axis.to_array(),
         bottom,
         height,
-        heights: all[within.clone()].to_vec(),
-        radii: sections[within].to_vec(),
+        heights: all[first..first + n].to_vec(),
+        radii: within.into_iter().map(|level| level.section).collect(),
+        holes: n_missing as f64 / (n * DIRECTIONS) as f64,
     })
-}
-
-fn is_whole(section: &[f64]) -> bool {
-    section.iter().all(|radius| *radius > 0.0)
 }
 
 /// How far the middles of sections are from where the axis was taken to be: a circle beside the axis has a wave that goes round once, and little else has.

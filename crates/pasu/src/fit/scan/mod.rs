@@ -104,7 +104,7 @@ pub fn fit_scan(scan: &Scan, tolerance: f64) -> Result<Scanned> {
     Ok(fit_levels(&levels(scan)?, tolerance)?.scanned)
 }
 
-/// The outside of a scan, level by level: what [`fit_scan`] fits rings to. Levels that are not closed all round at foot and rim are left out; what stands out like a handle is taken for the outermost there is.
+/// The outside of a scan, level by level: what [`fit_scan`] fits rings to. Levels that are not closed all round at foot and rim are left out, holes in the wall between are bridged; what stands out like a handle is taken for the outermost there is.
 ///
 /// ```
 /// use pasu::{Design, MeshOptions, Scan, fit_levels, levels, mesh};
