@@ -16,9 +16,9 @@ const DRAWING =
 /** What is said before anything is opened: the rest of the words comes with what says it. */
 const WORDS =
   /[\\/]src[\\/](language|number|words[\\/](english[\\/](controls|description|page|parameters|quantities|refusals)|description|languages|parameters|parts|quantities|refusals|typed))\.ts/;
-/** Symbols of equations are written with it by the panel and on paper, and the button that explains by every panel of numbers: they are no files of their own. */
+/** Symbols of equations are written with it by the panel and on paper, the button that explains is in every panel of numbers, and how far points reach is told before anything is drawn: they are too little to be files of their own. */
 const LIT =
-  /[\\/]node_modules[\\/](lit|lit-html|lit-element|@lit)[\\/]|[\\/]src[\\/](ui[\\/]symbol|app[\\/]panels[\\/]explain-button)\.ts/;
+  /[\\/]node_modules[\\/](lit|lit-html|lit-element|@lit)[\\/]|[\\/]src[\\/](ui[\\/]symbol|app[\\/]panels[\\/]explain-button|document[\\/](box|extents))\.ts/;
 
 export default defineConfig({
   base: "./",
