@@ -235,6 +235,20 @@ test("by keys alone: points, arrows, corners and numbers, both sides apart", { t
   expect(waves).toBeGreaterThan(0);
 });
 
+test("of a line of two points none is taken away, and that is said", async () => {
+  const pot = await here.enter({ link: LINK });
+  await open(pot);
+  await pot.button("Begin with points").focus();
+  await pot.page.keyboard.press("Enter");
+  await rings(pot);
+  const spoken = () => pot.page.locator("pasu-drawing-board [role=status]").textContent();
+  await pot.page.keyboard.press("Delete");
+  await expect.poll(spoken).toMatch(/^Taken away, 2 points left\./);
+  await pot.page.keyboard.press("Delete");
+  await expect.poll(spoken).toBe("A line has two points at least.");
+  expect(await knots(pot).count()).toBe(2);
+});
+
 const VASE_SVG = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 200"><style>path { fill: red }</style><defs><path d="M0 0h90v190h-90z"/></defs>
   <g transform="translate(10 5)"><path id="outline" style="fill:none" d="M25 180 C10 120 5 80 30 50 L25 10 H55 L50 50 C75 80 70 120 55 180 Z" fill="#963"/></g>
   <path d="M2 2h6"/></svg>`;

@@ -23,6 +23,7 @@ import { unitOf } from "../../document/look";
 import { type Path, pathText } from "../../document/path";
 import type { Blend, Section } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
+import { toggleExplain } from "../../state/actions";
 import { changeBlend, changeSection } from "../../state/blend-actions";
 import { cells } from "../../ui/cells";
 import "../../ui/number-field";
@@ -36,7 +37,6 @@ import { whyWords } from "../../words/refusals";
 import { drawingStyles, sectionDrawing } from "../drawing/section-drawing";
 import "./blend-inside";
 import "./blend-solving";
-import { toggleExplain } from "../../state/actions";
 import { explainButton } from "./explain-button";
 
 const DEGREES = 180;

@@ -19,11 +19,11 @@ import {
 } from "../../document/schema";
 import type { Shape } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
+import { toggleExplain } from "../../state/actions";
 import { resetFields, setFields, setLock } from "../../state/shape-actions";
 import { icon } from "../../ui/icons";
 import { lock } from "../../ui/lock";
 import "../../ui/number-field";
-import { toggleExplain } from "../../state/actions";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
 import { base, buttons, disclosure, pointed } from "../../ui/styles";
 import { page } from "../../words/english/page";
