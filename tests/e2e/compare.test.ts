@@ -84,6 +84,12 @@ test("what is no design is refused in words, and the pot stays as it was", async
     await compare(pot, text);
     await expect.poll(() => dialogue(pot).locator(".problem").innerText()).toContain(words);
   }
+  // The same words are read aloud again: they are gone, and come back.
+  await dialogue(pot)
+    .locator(".problem")
+    .evaluate((said) => void said.setAttribute("data-before", ""));
+  await compare(pot, '{ "pasu": 1, "parts": [{ "shape": { "kind": "amphora" } }] }');
+  await expect.poll(() => dialogue(pot).locator(".problem").getAttribute("data-before")).toBe(null);
   await pot.page.keyboard.press("Escape");
   await pot.shows(shelf);
 });

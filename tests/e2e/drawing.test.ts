@@ -177,6 +177,17 @@ test("in the place of a part it keeps what the part has, and corners are sharp",
   const beside = await at(pot, 0.9, 0.1);
   await mouse.click(beside.x, beside.y);
   expect(await knots(pot).count()).toBe(count);
+  // What is said of a level line is said of the next one too: to be read aloud again it is another element.
+  const trouble = pot.page.locator("pasu-draw .trouble");
+  const level = [
+    [0.88, 0.1],
+    [0.9, 0.1],
+    [0.92, 0.1],
+  ] as const;
+  await stroke(pot, level);
+  await trouble.evaluate((said) => void said.setAttribute("data-before", ""));
+  await stroke(pot, level);
+  await expect.poll(() => trouble.getAttribute("data-before")).toBe(null);
   await pot.button("Take back").click();
   await rings(pot);
   await pot.button("Use it").click();

@@ -41,9 +41,9 @@ function stl(corners: readonly Corner[]): Buffer {
   return bytes;
 }
 
-/** As modellers have it: y is up. */
-function obj(corners: readonly Corner[]): Buffer {
-  const points = corners.map(([x, y, z]) => `v ${x} ${z} ${-y}`);
+/** As modellers have it: y is up; or as `turned` has it. */
+function obj(corners: readonly Corner[], turned = ([x, y, z]: Corner): Corner => [x, z, -y]): Buffer {
+  const points = corners.map((corner) => `v ${turned(corner).join(" ")}`);
   const faces = Array.from({ length: corners.length / 3 }, (_, i) => `f ${3 * i + 1} ${3 * i + 2} ${3 * i + 3}`);
   return Buffer.from(`mtllib https://example.org/scan.mtl\n${[...points, ...faces].join("\n")}\n`);
 }
@@ -121,6 +121,39 @@ test("an STL, an OBJ and a PLY of one pot are the same rings, and become a pot i
   await pot.shows(before);
   await pot.redo();
   await pot.shows(scanned);
+});
+
+const up = (pot: Visit) => pot.page.getByRole("combobox", { name: "Upwards is" });
+
+test("a scan that lies, or has another way up than its kind of file, stands upright, and can be turned over", {
+  timeout: 240_000,
+}, async () => {
+  const pot = await here.enter({ link: LINK });
+  await open(pot);
+  // Closed at both ends it is some pot from the side, too.
+  const corners = triangles();
+  const lids = corners.flatMap((corner, i): readonly Corner[] => {
+    const next = i % 3 === 0 ? corners[i + 1] : undefined;
+    const height = corner[2];
+    if (next?.[2] !== height || (height !== 0 && height !== 180)) return [];
+    return [corner, next, [20, 5, height]];
+  });
+  const closed = [...corners, ...lids];
+  for (const [bytes, way] of [
+    [obj(closed, (corner) => corner), "z"],
+    [obj(closed, ([x, y, z]) => [z, y, -x]), "x"],
+  ] as const) {
+    await pick(pot, "pot.obj", bytes);
+    const [, , , , most] = await found(pot);
+    expect(await up(pot).inputValue()).toBe(way);
+    expect(Number(most)).toBeLessThan(0.1);
+    expect(await pot.field("Height").first().inputValue()).toBe("18");
+  }
+  const before = await colours(pot);
+  await up(pot).selectOption("-x");
+  await found(pot);
+  expect((await colours(pot)).sum).not.toBe(before.sum);
+  expect(await findings(pot)).toEqual([]);
 });
 
 /** How many colours the scan is seen in, and what they are, as one number. */

@@ -13,6 +13,7 @@ import { icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
 import { comparing } from "../../words/english/comparing";
 import { page } from "../../words/english/page";
+import { size } from "../../words/english/size";
 import { partName } from "../../words/parts";
 import { refusalWords } from "../../words/refusals";
 import { Collection, type Entry } from "../../work/collection";
@@ -124,7 +125,7 @@ export class PasuCompare extends DesignerElement {
     return html`
       <p class="with">${comparing.with(isolated(there.title ?? page.untitled))}</p>
       <p class="verdict" data-same=${difference.isSame}>${difference.isSame ? comparing.same : comparing.different}</p>
-      ${ours === theirs ? nothing : html`<p>${comparing.units(ours, theirs)}</p>`}
+      ${ours === theirs ? nothing : html`<p>${comparing.units(size.units[ours], size.units[theirs])}</p>`}
       ${
         difference.isSame || ours !== theirs
           ? nothing
@@ -171,6 +172,7 @@ export class PasuCompare extends DesignerElement {
   private async compareFile(): Promise<void> {
     const file = await pickFile(".json,.stl,.3mf,.glb,.obj,.zip,.ply,.step,.svg,application/json");
     if (!file) return;
+    this.begin();
     const maker = async () => (await this.designer.openMade())?.maker ?? null;
     const found = await readFile(file, { solver: this.designer.solver, maker });
     if (!found) return;
@@ -178,10 +180,17 @@ export class PasuCompare extends DesignerElement {
     else this.show({ state: "refused", refusal: found.refusal });
   }
 
+  /** A refusal is gone while something else is looked at: the same words are read aloud again. */
+  private begin(): number {
+    this.asked += 1;
+    if (this.result?.state === "refused") this.result = null;
+    return this.asked;
+  }
+
   /** The newest question alone is answered. */
   private async compareText(text: string): Promise<void> {
-    this.asked += 1;
-    const { asked, designer } = this;
+    const asked = this.begin();
+    const { designer } = this;
     const here = designer.store.design;
     const link = await linkOf(text, designer.solver);
     const [parsed, made] = await Promise.all([designer.solver.parse(link), designer.openMade()]);

@@ -2,6 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
+import { keyed } from "lit/directives/keyed.js";
 import type { Spot } from "../../document/drawn/knot";
 import { MARGIN, plainLine, profileOf, SHEET, type Sheet, withSymmetry } from "../../document/drawn/sheet";
 import type { Sides } from "../../document/drawn/sides";
@@ -61,6 +62,8 @@ export class PasuDraw extends DesignerElement {
   /** How far off rings may be; what suits the height where nobody has said so. */
   @state() private typed: number | null = null;
   @state() private trouble = "";
+  /** How many were drawn: the same words about another one are read aloud again. */
+  @state() private strokes = 0;
   @state() private listed = false;
   private readonly rings = new Seeking<Found>(this, PAUSE_MS);
   private readonly tracing = new Tracing(this);
@@ -131,7 +134,7 @@ export class PasuDraw extends DesignerElement {
               ${icon("remove")}
             </button>
           </div>
-          ${this.trouble === "" ? nothing : html`<p class="trouble" role="alert">${this.trouble}</p>`}
+          ${this.trouble === "" ? nothing : keyed(this.strokes, html`<p class="trouble" role="alert">${this.trouble}</p>`)}
           ${this.file()} ${this.traced()}
           ${lengthField({
             label: words.height,
@@ -289,6 +292,7 @@ export class PasuDraw extends DesignerElement {
 
   private readonly drew = ({ line }: StrokeEvent): void => {
     const sheet = withStroke(this.sheet, line);
+    this.strokes += 1;
     if (sheet) this.take(sheet);
     else this.trouble = words.stroke;
   };

@@ -5,7 +5,7 @@ import { customElement, property, state } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
 import type { Network } from "../../document/network/network";
 import { scanKind } from "../../document/scanned/file-kind";
-import { upright } from "../../document/scanned/upright";
+import { UPS, type Up, unroundness, upright } from "../../document/scanned/upright";
 import type { Levels, Unit } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { isolated } from "../../language";
@@ -45,7 +45,18 @@ const LEAST_SHARE = 0.1;
 
 const PAUSE_MS = 250;
 
-type Up = "z" | "y";
+/** What is as round as this stands upright; of anything else another way up is looked at. */
+const ROUND = 0.05;
+
+/** Another way up has to be so many times as round to be begun with. */
+const ROUNDER = 2;
+
+/** A scan as it is with something upwards, and how far from round it is so. */
+interface Reading {
+  readonly up: Up;
+  readonly levels: Levels;
+  readonly unround: number;
+}
 
 @customElement("pasu-scan")
 export class PasuScan extends DesignerElement {
@@ -110,7 +121,7 @@ export class PasuScan extends DesignerElement {
           ? html`<label class="up">
               <span>${words.up}</span>
               <select class="field" @change=${this.turn}>
-                ${(["z", "y"] as const).map((way) => html`<option value=${way} .selected=${way === this.up}>${words.ups[way]}</option>`)}
+                ${UPS.map((way) => html`<option value=${way} .selected=${way === this.up}>${words.ups[way]}</option>`)}
               </select>
             </label>`
           : nothing
@@ -225,9 +236,7 @@ export class PasuScan extends DesignerElement {
     else {
       this.triangles = triangles;
       this.typed = null;
-      // No file says which way is up: modellers who write OBJ have y, others z. Where the one is no pot, the other may be.
-      const [first, second]: readonly [Up, Up] = scanKind(file.name) === "obj" ? ["y", "z"] : ["z", "y"];
-      await this.read(first, second);
+      await this.begin(scanKind(file.name) === "obj" ? ["y", "z", "x"] : ["z", "y", "x"]);
     }
   }
 
@@ -246,30 +255,49 @@ export class PasuScan extends DesignerElement {
   };
 
   private readonly turn = (event: Event): void => {
-    void this.read((event.target as HTMLSelectElement).value as Up);
+    const up = (event.target as HTMLSelectElement).value as Up;
+    void this.busily(up, () => this.read(up));
   };
 
-  /** Reads it with that upwards; where it is no pot so, and `otherwise` is said, with that. */
-  private async read(up: Up, otherwise?: Up): Promise<void> {
-    const { triangles, designer, unit } = this;
-    if (!triangles) return;
+  /**
+   * No file says which way is up: modellers who write OBJ have y, others z, which is the first of `ways`. Where it is no pot so, or one that is far from round, it may lie: it is begun with as it is roundest.
+   */
+  private begin(ways: readonly [Up, ...Up[]]): Promise<void> {
+    return this.busily(ways[0], async () => {
+      let best: Reading | null = null;
+      for (const up of ways) {
+        const reading = await this.read(up);
+        if (reading && (best === null || ROUNDER * reading.unround < best.unround)) best = reading;
+        if (best && best.unround < ROUND) break;
+      }
+      return best;
+    });
+  }
+
+  /** With that upwards; null where it is no pot so. */
+  private async read(up: Up): Promise<Reading | null> {
+    const made = await this.designer.openMade();
+    if (!made || !this.triangles) return null;
+    const outcome = await made.maker.ask({ kind: "levels", positions: upright(this.triangles, up) });
+    return outcome.state === "done" ? { up, levels: outcome.value, unround: unroundness(outcome.value) } : null;
+  }
+
+  /** Looks for rings in what is read, unless something else is to be read meanwhile. */
+  private async busily(up: Up, read: () => Promise<Reading | null>): Promise<void> {
+    const { triangles } = this;
     this.up = up;
     this.busy = true;
     this.rings.forget();
-    const made = await designer.openMade();
-    const positions = up === "z" ? triangles : upright(triangles);
-    const outcome = made ? await made.maker.ask({ kind: "levels", positions }) : null;
+    const reading = await read();
+    const trouble = reading ? "" : (await this.designer.openMade()) ? words.refused["no-pot"] : page.unfetched;
     if (this.triangles !== triangles || this.up !== up) return;
     this.busy = false;
-    this.levels = outcome?.state === "done" ? outcome.value : null;
-    if (!this.levels && made && otherwise) {
-      await this.read(otherwise);
-      return;
-    }
-    this.trouble = this.levels ? "" : made ? words.refused["no-pot"] : page.unfetched;
-    if (!this.levels) return;
-    const { height } = this.levels;
-    this.first = Number((height > LARGE ? height / MILLIMETRES[unit] : height).toPrecision(4));
+    this.trouble = trouble;
+    this.levels = reading?.levels ?? null;
+    if (!reading) return;
+    this.up = reading.up;
+    const { height } = reading.levels;
+    this.first = Number((height > LARGE ? height / MILLIMETRES[this.unit] : height).toPrecision(4));
     this.height = this.first;
     this.seek();
   }

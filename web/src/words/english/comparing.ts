@@ -14,7 +14,8 @@ export const comparing = phrases("comparing", {
   with: (title: string) => `Compared with ${title}`,
   same: "The same pot, with one fingerprint.",
   different: "Another pot.",
-  units: (here: string, there: string) => `This one is in ${here}, the other in ${there}.`,
+  units: (here: string, there: string) =>
+    `This one is in ${here}, the other in ${there}: numbers are compared, not how large things are.`,
   kept: "The same in both",
   moved: "Elsewhere, turned or of another size",
   changed: "Of another shape, wall or look",
