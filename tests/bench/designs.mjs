@@ -50,3 +50,23 @@ export function withRings(vase, count, aside = ASIDE) {
   }
   return design;
 }
+
+/** So many pots of four rings with walls, no two alike, none of which comes near another: rows of 25. */
+export function pots(count) {
+  const away = 12;
+  const part = (_, index) => {
+    // Between 0 and 1, and another for each.
+    const number = (which) => Math.abs(Math.sin(43758.5453 * (7 * index + which + 1)));
+    const rings = [0, 1 / 3, 2 / 3, 1].map((u, ring) => ({
+      u,
+      r: { mean: 2 + 2.5 * number(ring), waves: [{ n: 2 + (index % 5), cos: 0.2 * number(4) }] },
+      z: { mean: (8 + 8 * number(5)) * u },
+    }));
+    return {
+      shape: { kind: "rings", rings },
+      wall: { thickness: 0.3 + 0.1 * number(6), base: 0.4 },
+      place: { shift: [away * ((index % 25) + 1), away * Math.floor(index / 25), 0] },
+    };
+  };
+  return { pasu: 1, parts: Array.from({ length: count }, part) };
+}

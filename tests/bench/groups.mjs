@@ -9,7 +9,7 @@ import {
   PARAMETRIC_GEOMETRY,
   PLAIN_LOOPS,
 } from "./contenders/index.mjs";
-import { firstModes, withEveryWave, withOneEquation, withRings } from "./designs.mjs";
+import { firstModes, pots, withEveryWave, withOneEquation, withRings } from "./designs.mjs";
 import { takeTurns } from "./rounds.mjs";
 
 /** Modes in each component. */
@@ -47,6 +47,10 @@ const PER_RING = 65 / 9;
 /** How many microseconds a pull is to take at most, of a pot of 8 rings with 16 modes in each component. */
 const PULLING = 500;
 
+/** How many parts are asked where they are, and how many milliseconds an answer is to take at most. */
+const ASKED = 500;
+const ANSWER = 1;
+
 /** How many milliseconds solving and sampling a network of 10,000 patches within a thousandth of its size is to take at most. */
 const NETWORK = 100;
 
@@ -63,6 +67,7 @@ export async function* groups({ bench, pasu, vase, turned }, { quick }) {
   yield await solving(bench, vase, 2 * rounds + 1);
   yield await rings(bench, vase, 2 * rounds + 1);
   yield await pulling(bench, pasu, withRings(firstModes(vase, 16), 8), 2 * rounds + 1);
+  yield await asking(pasu, 20 * rounds);
   yield await networks(bench, rounds);
   yield await baseline(bench, firstModes(vase, 8), 2 * rounds + 1);
   for (const side of [65, 129, 257, 513]) yield await whole(bench, pasu, firstModes(vase, 4), side, rounds);
@@ -255,6 +260,44 @@ async function pulling(bench, pasu, design, rounds) {
       { name: "pull() of the package", samples: whole, against },
     ],
   };
+}
+
+/**
+ * A ray and a point of many pots, other ones in every turn: each sample is one answer. Of an object it takes longer to see that it is the design of before than to answer; a text is that at once, and so is what is frozen through
+ * and through.
+ */
+async function asking(pasu, turns) {
+  const design = pasu.parse(pots(ASKED));
+  const text = JSON.stringify(design);
+  const stand = (turn) => design.parts[(37 * turn) % ASKED].place.shift;
+  const ray = (turn) => {
+    const [x, y] = stand(turn);
+    return { origin: [x + 3, y - 2, 60], direction: [Math.sin(turn) / 5, Math.cos(turn) / 5, -1] };
+  };
+  const point = (turn) => {
+    const [x, y] = stand(turn);
+    return [x + 3 * Math.cos(turn), y + 3 * Math.sin(turn), 4 + 3 * Math.sin(2 * turn)];
+  };
+  const questions = [
+    ["pick, design as text", () => text, pasu.pick, ray],
+    ["at, design as text", () => text, pasu.at, point],
+    ["pick, design as an object", () => design, pasu.pick, ray],
+    ["at, design as an object", () => design, pasu.at, point],
+  ];
+  const rows = questions.map(([name, source, ask, about]) => {
+    // Walls are found where they are met for the first time.
+    const answers = (from) =>
+      Array.from({ length: turns }, (_, turn) => timed(() => ask(source(), about(from + turn))));
+    for (let from = 0; from < 4 * ASKED; from += turns) answers(from);
+    return { name, samples: answers(0), median_at_most: ANSWER };
+  });
+  return { group: `Asked where they are, ${ASKED} different pots with walls`, unit: "ms", tail: true, rows };
+}
+
+function timed(run) {
+  const start = performance.now();
+  run();
+  return performance.now() - start;
 }
 
 /** A network of 10,000 patches, and the same with the point in its middle moved, in turn: as a whole, and with the strips through that point alone. */

@@ -487,12 +487,14 @@ export interface Ray {
 /**
  * Where a ray meets the parts of a design, the nearest first: every place where it goes through the surface of one, to 1e-9 of the size of the part. A part with a wall is met as the clay that is made of it, outside, lining,
  * rim and all.
+ *
+ * Of hundreds of parts it takes longer to see that a design is the one of the call before than to answer. A text is that at once, and so is an object that is frozen through and through: whoever asks often had better pass one of them.
  */
 export function pick(source: DesignSource, ray: Ray): Hit[];
 
 /**
  * The parts of a design that hold a point, the one whose surface is nearest first: `distance` says how deep beneath it the point is, `point` where it is nearest. Octants, blends and closed networks hold what is in them, and what
- * has a wall what is in its clay; a surface without a wall holds nothing.
+ * has a wall what is in its clay; a surface without a wall holds nothing. A text or what is frozen is known again as by {@link pick}.
  */
 export function at(source: DesignSource, point: Point): Hit[];
 

@@ -35,7 +35,7 @@ export const drawing = phrases("drawing", {
   traced: "Drag the points where the outline is not that of the pot: at a handle, a shadow, the foot.",
 
   height: "Height",
-  heightHelp: "How high the pot is, from the foot to the rim.",
+  heightHelp: "How high the pot is, from the foot to the rim. Where it gets a wall, rounding its rim adds a little.",
   alike: "Both sides alike",
   alikeAbout: "as the right one is",
   tolerance: "No further off than",

@@ -29,7 +29,8 @@ export const scan = phrases("scan", {
     "-x": "−x, it lies the other way round",
   },
   height: "Height",
-  heightHelp: "How high the pot is to be, from the foot to the rim. A scan does not say its unit.",
+  heightHelp:
+    "How high the pot is to be, from the foot to the rim; rounding that adds a little. A scan does not say its unit.",
   tolerance: "No further off than",
   toleranceHelp: "How far the rings may be from the scan. Less takes more of them.",
   reading: "Reading the scan…",
