@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::section::{DIRECTIONS, Section, middle};
+use super::section::{DIRECTIONS, Section, bridged, middle};
 
 /// A handle stands out by this part of the radius, over less than this part of the turn, at this part of the levels at least.
 const OUT: f64 = 0.25;
@@ -35,30 +35,6 @@ fn handle_in(section: &[f64]) -> BTreeSet<usize> {
     }
     // Where it grows out of the wall it belongs to it as well.
     out.into_iter().flat_map(|k| (0..=2 * ROOT).map(move |i| (k + i + DIRECTIONS - ROOT) % DIRECTIONS)).collect()
-}
-
-/// A section whose wall goes on in some directions as it does to either side of them.
-pub(super) fn bridged(section: &[f64], out: &BTreeSet<usize>) -> Section {
-    // Of a section that is all handle nothing is known.
-    if out.len() > DIRECTIONS / 2 {
-        return section.to_vec();
-    }
-    // The nearest direction without a handle, so many steps on or back.
-    let beyond = |k: usize, step: usize| {
-        let mut away = 1;
-        while out.contains(&((k + away * step) % DIRECTIONS)) {
-            away += 1;
-        }
-        (away as f64, section[(k + away * step) % DIRECTIONS])
-    };
-    let at = |k: usize| {
-        if !out.contains(&k) {
-            return section[k];
-        }
-        let ((back, before), (on, behind)) = (beyond(k, DIRECTIONS - 1), beyond(k, 1));
-        (before * on + behind * back) / (back + on)
-    };
-    (0..DIRECTIONS).map(at).collect()
 }
 
 #[cfg(test)]

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 
 use glam::{DVec2, DVec3};
 
-use super::handle::{bridged, without_handle};
-use super::section::{DIRECTIONS, Section};
+use super::handle::without_handle;
+use super::section::{DIRECTIONS, Section, bridged};
 use crate::design::plain;
 use crate::error::{Code, Error, Result};
 
