@@ -376,6 +376,15 @@ test("a photograph lies behind, its outline is found, and points of it are dragg
   expect(await pot.page.locator("pasu-drawing-board canvas").count()).toBe(1);
   expect(await pot.page.getByRole("checkbox", { name: "Both sides alike" }).isChecked()).toBe(true);
   expect(await findings(pot)).toEqual([]);
+  // What takes back an outline takes back what it was traced with.
+  await pot.type("Pot or background", "0.5");
+  await rings(pot);
+  await pot.type("Height", "28");
+  await rings(pot);
+  await pot.button("Take back").click();
+  expect(await pot.field("Pot or background").first().inputValue()).toBe("0.5");
+  await pot.button("Take back").click();
+  await expect.poll(() => pot.field("Pot or background").first().inputValue()).toBe("0");
   await pot.type("Height", "29");
   await rings(pot);
   await pot.button("Use it").click();

@@ -251,6 +251,7 @@ export class PasuDraw extends DesignerElement {
   private readonly back = (): void => {
     this.trouble = "";
     this.sheet = this.steps.back();
+    this.tracing.recall(this.sheet.sensitivity ?? 0);
     this.seek();
   };
 
@@ -311,7 +312,7 @@ export class PasuDraw extends DesignerElement {
 
   takeTraced(sides: Sides, smoothing: Smoothing, settled: boolean): void {
     const sheet = withOutline(this.sheet, sides, smoothing);
-    if (sheet) this.take(sheet, settled);
+    if (sheet) this.take({ ...sheet, sensitivity: this.tracing.sensitivity }, settled);
     else this.failTracing("flat");
   }
 

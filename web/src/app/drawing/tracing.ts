@@ -121,6 +121,12 @@ export class Tracing implements ReactiveController {
     this.#host.requestUpdate();
   }
 
+  /** The outline is again one that was traced with this. */
+  recall(sensitivity: number): void {
+    this.#sensitivity = sensitivity;
+    this.#host.requestUpdate();
+  }
+
   withoutPhoto(): void {
     this.#photo = null;
     this.#host.requestUpdate();

@@ -22,6 +22,8 @@ export interface Sheet {
   readonly axis: number;
   /** How high the pot is, in the unit of the design. */
   readonly height: number;
+  /** How much of a photograph belonged to the pot when it was traced last. */
+  readonly sensitivity?: number;
 }
 
 /** Radius and height in pairs, for each side that is its own. */
