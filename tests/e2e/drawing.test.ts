@@ -379,6 +379,17 @@ test("a photograph lies behind, its outline is found, and points of it are dragg
   // What takes back an outline takes back what it was traced with.
   await pot.type("Pot or background", "0.5");
   await rings(pot);
+  // So does a slider from which the system takes the finger away.
+  const slider = pot.slider("Pot or background");
+  const box = await slider.boundingBox();
+  if (!box) throw new Error("the slider cannot be seen");
+  await pot.page.mouse.move(box.x + 0.58 * box.width, box.y + box.height / 2);
+  await pot.page.mouse.down();
+  await pot.page.mouse.move(box.x + 0.7 * box.width, box.y + box.height / 2, { steps: 3 });
+  await expect.poll(() => pot.field("Pot or background").first().inputValue()).not.toBe("0.5");
+  await slider.dispatchEvent("pointercancel");
+  await expect.poll(() => pot.field("Pot or background").first().inputValue()).toBe("0.5");
+  await pot.page.mouse.up();
   await pot.type("Height", "28");
   await rings(pot);
   await pot.button("Take back").click();

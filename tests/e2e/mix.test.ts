@@ -99,6 +99,32 @@ test("by keys: chosen, mixed, taken back, mixed again and left as it was", async
   await pot.shows(bottle);
 });
 
+test("a drag that the system takes away leaves what was mixed before it, in one step", async () => {
+  const pot = await here.enter({ link: BOTTLE });
+  const bottle = await pot.fingerprint();
+  await choose(pot, "form-cup");
+  const box = await pot.slider("Share").boundingBox();
+  if (!box) throw new Error("the slider cannot be seen");
+  const { mouse } = pot.page;
+  const drag = async (from: number, to: number) => {
+    await mouse.move(box.x + from * box.width, box.y + box.height / 2);
+    await mouse.down();
+    await mouse.move(box.x + to * box.width, box.y + box.height / 2, { steps: 4 });
+  };
+  await drag(0.02, 0.5);
+  await mouse.up();
+  const mixed = await pot.fingerprintOtherThan(bottle);
+  const half = await share(pot).inputValue();
+  await drag(0.5, 0.9);
+  await expect.poll(() => share(pot).inputValue()).not.toBe(half);
+  await pot.slider("Share").dispatchEvent("pointercancel");
+  await pot.shows(mixed);
+  expect(await share(pot).inputValue()).toBe(half);
+  await mouse.up();
+  await pot.button("Undo").first().click();
+  await pot.shows(bottle);
+});
+
 test("on a phone with a finger, and with a design of one's own", async () => {
   const pot = await here.enter({ ...PHONE, link: BOTTLE });
   const bottle = await pot.fingerprint();

@@ -196,6 +196,7 @@ export class PasuDraw extends DesignerElement {
         .step=${0.1}
         @number-change=${({ value, gesture }: NumberChangeEvent) => tracing.tell(value, !gesture)}
         @number-done=${this.settle}
+        @number-cancel=${this.untell}
       ></pasu-number>
       <button class="button outlined" type="button" @click=${this.leavePhoto}>${words.withoutPhoto}</button>`;
   }
@@ -248,12 +249,21 @@ export class PasuDraw extends DesignerElement {
     if (this.trouble === "") this.take(this.sheet);
   };
 
-  private readonly back = (): void => {
-    this.trouble = "";
-    this.sheet = this.steps.back();
-    this.tracing.recall(this.sheet.sensitivity ?? 0);
-    this.seek();
+  /** The finger on the slider of the photograph was lost to scrolling. */
+  private readonly untell = (): void => {
+    this.recall(this.steps.settled);
   };
+
+  private readonly back = (): void => {
+    this.recall(this.steps.back());
+  };
+
+  private recall(sheet: Sheet): void {
+    this.trouble = "";
+    this.sheet = sheet;
+    this.tracing.recall(sheet.sensitivity ?? 0);
+    this.seek();
+  }
 
   private readonly key = (event: KeyboardEvent): void => {
     const [from] = event.composedPath();

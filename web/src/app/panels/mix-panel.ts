@@ -21,6 +21,11 @@ export interface Other {
   readonly title: string;
 }
 
+interface Mixed {
+  readonly design: Design;
+  readonly percent: number;
+}
+
 @customElement("pasu-mix")
 export class PasuMix extends DesignerElement {
   @property({ attribute: false }) other: Other | null = null;
@@ -30,13 +35,16 @@ export class PasuMix extends DesignerElement {
   /** The pot as it was before. */
   private mine: Design | null = null;
   /** The pot as it was mixed last, and with how much. */
-  private last: { readonly design: Design; readonly percent: number } | null = null;
+  private last: Mixed | null = null;
+  /** The same as it was when the hand last let go; null where nothing was mixed in. */
+  private settled: Mixed | null = null;
 
   override willUpdate(changed: PropertyValues): void {
     const { design } = this.designer.store;
     if (changed.has("other") && this.other) {
       this.mine = design;
       this.last = null;
+      this.settled = null;
       this.mix = null;
       void this.read(design, this.other);
       return;
@@ -80,6 +88,7 @@ export class PasuMix extends DesignerElement {
               .explain=${this.designer.store.session.explain}
               @number-change=${(event: NumberChangeEvent) => this.take(mix.at, event)}
               @number-done=${this.rest}
+              @number-cancel=${this.cancel}
             ></pasu-number>`
           : html`<p role="alert">${mix.state === "refused" ? words.refused(whyWords(mix.refusal)) : words[mix.state]}</p>`
       }
@@ -117,8 +126,20 @@ export class PasuMix extends DesignerElement {
   /** A drag that ended where it began was none. */
   private readonly rest = (): void => {
     const { store } = this.designer;
-    if (store.inGesture && store.design === this.mine) store.cancelGesture();
+    this.settled = store.design === this.mine ? null : this.last;
+    if (store.inGesture && !this.settled) store.cancelGesture();
     else store.endGesture();
+  };
+
+  /** The finger was lost to scrolling: what was mixed before it came is there again. */
+  private readonly cancel = (): void => {
+    const { designer, settled } = this;
+    batch(() => {
+      designer.store.cancelGesture();
+      if (settled) designer.apply({ design: settled.design, undo: "step" });
+      this.last = settled;
+    });
+    this.requestUpdate();
   };
 
   private readonly leave = (): void => {
