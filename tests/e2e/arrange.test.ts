@@ -226,6 +226,21 @@ test("that there are too many copies is told as long as so many are asked for", 
   expect(await rows(pot).count()).toBe(10);
 });
 
+test("more copies than the slider has are typed, and what is no number of copies is said", async () => {
+  const pot = await scene({ ...SCENE, parts: [block("Block", [0, 0, 0]), block("Other", [0, 9, 0])] });
+  await row(pot, "Block").click();
+  await open(pot);
+  for (const wrong of ["1", "2.5", "501", "-3"]) {
+    await pot.type("How many", wrong);
+    await arrange(pot).getByText("A whole number from 2 to 500 is needed here.").waitFor();
+    expect(await arrange(pot).getByRole("button", { name: "Make the row" }).isDisabled()).toBe(true);
+    expect(await arrange(pot).getByRole("button", { name: "Make the ring" }).isDisabled()).toBe(true);
+  }
+  await pot.type("How many", "75");
+  await press(pot, "Make the row");
+  await expect.poll(() => rows(pot).count()).toBe(76);
+});
+
 test("the step of a row is that of the scene: in another one, and in another unit, it is proposed anew", async () => {
   const pot = await scene(SCENE);
   await row(pot, "Red").click();

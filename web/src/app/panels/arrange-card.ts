@@ -36,6 +36,7 @@ import { rimsOf } from "../../work/rims";
 const SIDES: readonly Side[] = ["low", "middle", "high"];
 /** A row's usual step, as a share of what stands in it. */
 const BESIDE = 1.2;
+/** So far the slider goes; more are typed. */
 const MOST_COPIES = 60;
 const ALL_ROUND = 360;
 
@@ -43,6 +44,8 @@ const ALL_ROUND = 360;
 export class PasuArrange extends DesignerElement {
   @state() private isOpen = false;
   @state() private count = 6;
+  /** What was typed is no number of copies. */
+  @state() private isMiscounted = false;
   /** What was chosen of the rest; what follows from the selection where nothing was. */
   @state() private step: Triple | null = null;
   @state() private centre: readonly [number, number] | null = null;
@@ -171,12 +174,13 @@ export class PasuArrange extends DesignerElement {
       range: readonly [number, number, number],
       set: (value: number) => void,
       of = unit as string,
-      help = "",
+      { help = "", problem = "" } = {},
     ) =>
       html`<pasu-number
         data-field="arrange-${key}"
         .label=${label}
         .help=${help}
+        .problem=${problem}
         .unit=${of}
         .value=${value}
         .min=${range[0]}
@@ -192,10 +196,11 @@ export class PasuArrange extends DesignerElement {
           this.count,
           [2, MOST_COPIES, 1],
           (value) => {
-            this.count = Math.max(2, Math.min(MOST_COPIES, Math.round(value)));
+            this.isMiscounted = !(Number.isInteger(value) && value >= 2 && value <= LIMITS.parts);
+            if (!this.isMiscounted) this.count = value;
           },
           "",
-          words.countHelp,
+          { help: words.countHelp, problem: this.isMiscounted ? words.miscounted(LIMITS.parts) : "" },
         )}
       </div>
       <div role="group" aria-labelledby="row">
@@ -205,7 +210,7 @@ export class PasuArrange extends DesignerElement {
             this.step = step.map((each, i) => (i === axis ? value : each)) as unknown as Triple;
           }),
         )}
-        <div class="row">${this.press(words.makeRow, () => this.checked(rowOfParts(designer.state, this.count, step)), "", false)}</div>
+        <div class="row">${this.press(words.makeRow, () => this.checked(rowOfParts(designer.state, this.count, step)), "", this.isMiscounted)}</div>
       </div>
       <div role="group" aria-labelledby="ring">
         <h5 id="ring">${words.ring}</h5>
@@ -218,7 +223,7 @@ export class PasuArrange extends DesignerElement {
             this.angle = value;
           },
           words.degree,
-          words.angleHelp,
+          { help: words.angleHelp },
         )}
         ${([0, 1] as const).map((axis) =>
           number(
@@ -247,7 +252,7 @@ export class PasuArrange extends DesignerElement {
             () =>
               this.checked(ringOfParts(designer.state, this.count, (this.angle / 180) * Math.PI, centre, this.turning)),
             "",
-            false,
+            this.isMiscounted,
           )}
         </div>
       </div>
