@@ -93,6 +93,9 @@ test("by keys: chosen, mixed, taken back, mixed again and left as it was", async
   await pot.button("Redo").first().click();
   await pot.shows(mixed);
   expect(await share(pot).inputValue()).toBe("30");
+  await pot.type("Share", "150");
+  await pot.page.getByText("Type a number from 0 to 100.").waitFor();
+  await pot.shows(mixed);
   await pot.button("Cancel").focus();
   await keyboard.press("Enter");
   await pot.page.locator("pasu-mix").waitFor({ state: "detached" });

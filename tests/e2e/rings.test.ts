@@ -69,7 +69,13 @@ test("sliders of the whole pot move every ring, there and back, each in one step
   await pot.type("Depth of the flutes", "8");
   const fluted = await pot.fingerprintOtherThan(tall);
   await pot.type("Flutes", "12");
-  await pot.fingerprintOtherThan(fluted);
+  const dozen = await pot.fingerprintOtherThan(fluted);
+  // What is counted is not rounded, and not made what is nearest.
+  for (const wrong of ["12.5", "1000", "0"]) {
+    await pot.type("Flutes", wrong);
+    await pot.page.getByText(/Type a whole number from \d+ to \d+\./).waitFor();
+  }
+  await pot.shows(dozen);
   await pot.type("Depth of the flutes", "0");
   await pot.shows(tall);
   await pot.type("Height", "20");

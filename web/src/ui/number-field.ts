@@ -33,6 +33,8 @@ export class NumberResetEvent extends Event {
   }
 }
 
+const ANY = [-Infinity, Infinity] as const;
+
 @customElement("pasu-number")
 export class PasuNumber extends LitElement {
   @property() label = "";
@@ -63,6 +65,9 @@ export class PasuNumber extends LitElement {
   @state() private typo = "";
   @query("#field") private readonly field!: HTMLInputElement;
   @query(".slider") private readonly slider!: HTMLInputElement | null;
+  /** Nothing outside of this can be typed, and of what is counted nothing between whole numbers. Nothing that is seen goes by these. */
+  within: readonly [least: number, most: number] | undefined;
+  counted = false;
   private inGesture = false;
   /** What the slider reaches: from `min` to `max`, and to every number that there was outside of them, unless it was far outside. */
   private range: Range = { low: 0, high: 1 };
@@ -221,12 +226,22 @@ export class PasuNumber extends LitElement {
   private readonly typedInto = (event: Event): void => {
     this.draft = (event.target as HTMLInputElement).value;
     const typed = this.read(this.draft);
-    const isTooSmall = this.positive && "value" in typed && typed.value <= 0;
-    this.typo = "problem" in typed ? numberProblemWords(typed.problem) : isTooSmall ? controls.positive : "";
-    if (isTooSmall) return;
+    if ("problem" in typed) {
+      this.typo = numberProblemWords(typed.problem);
+      return;
+    }
+    this.typo = this.refused(typed.value);
     // In an empty field every number is another one.
-    if ("value" in typed && (this.blank || typed.value !== this.value)) this.send(typed.value, true);
+    if (this.typo === "" && (this.blank || typed.value !== this.value)) this.send(typed.value, true);
   };
+
+  /** Why that cannot be typed here; empty where it can. */
+  private refused(value: number): string {
+    const [least, most] = this.within ?? ANY;
+    if (this.positive && value <= 0) return controls.positive;
+    if (value >= least && value <= most && (!this.counted || Number.isInteger(value))) return "";
+    return controls.within(this.counted, formatNumber(least), formatNumber(most));
+  }
 
   /** What cannot be stays as it was typed, beside what is said of it. */
   private readonly leave = (): void => {
@@ -268,7 +283,8 @@ export class PasuNumber extends LitElement {
     event.preventDefault();
     this.forget();
     const whole = event.shiftKey && Math.abs(steps) === 1 ? steps * COARSE_STEPS : steps;
-    this.send(stepped(this.value, this.step, whole), true);
+    const [least, most] = this.within ?? ANY;
+    this.send(Math.min(Math.max(stepped(this.value, this.step, whole), least), most), true);
   }
 
   private readonly keyUp = (event: KeyboardEvent): void => {

@@ -54,6 +54,8 @@ export class PasuExportCells extends DesignerElement {
               .label=${words.of(words.cellCounts, label)}
               .value=${count}
               .step=${1}
+              .within=${[1, MOST]}
+              .counted=${true}
               @number-change=${({ value }: NumberChangeEvent) => this.count(index, value)}
             ></pasu-number
           ></span>`;
@@ -96,8 +98,7 @@ export class PasuExportCells extends DesignerElement {
     void this.ask(null);
   };
 
-  private count(index: number, value: number): void {
-    const count = Math.min(Math.max(Math.round(value), 1), MOST);
+  private count(index: number, count: number): void {
     this.counts = this.counts.map((each, at) => (at === index ? count : each)) as unknown as Triple;
     this.askSoon();
   }

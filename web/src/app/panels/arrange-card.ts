@@ -44,8 +44,6 @@ const ALL_ROUND = 360;
 export class PasuArrange extends DesignerElement {
   @state() private isOpen = false;
   @state() private count = 6;
-  /** What was typed is no number of copies. */
-  @state() private isMiscounted = false;
   /** What was chosen of the rest; what follows from the selection where nothing was. */
   @state() private step: Triple | null = null;
   @state() private centre: readonly [number, number] | null = null;
@@ -174,13 +172,15 @@ export class PasuArrange extends DesignerElement {
       range: readonly [number, number, number],
       set: (value: number) => void,
       of = unit as string,
-      { help = "", problem = "" } = {},
+      help = "",
+      counts?: readonly [least: number, most: number],
     ) =>
       html`<pasu-number
         data-field="arrange-${key}"
         .label=${label}
         .help=${help}
-        .problem=${problem}
+        .within=${counts}
+        .counted=${counts !== undefined}
         .unit=${of}
         .value=${value}
         .min=${range[0]}
@@ -196,11 +196,11 @@ export class PasuArrange extends DesignerElement {
           this.count,
           [2, MOST_COPIES, 1],
           (value) => {
-            this.isMiscounted = !(Number.isInteger(value) && value >= 2 && value <= LIMITS.parts);
-            if (!this.isMiscounted) this.count = value;
+            this.count = value;
           },
           "",
-          { help: words.countHelp, problem: this.isMiscounted ? words.miscounted(LIMITS.parts) : "" },
+          words.countHelp,
+          [2, LIMITS.parts],
         )}
       </div>
       <div role="group" aria-labelledby="row">
@@ -210,7 +210,7 @@ export class PasuArrange extends DesignerElement {
             this.step = step.map((each, i) => (i === axis ? value : each)) as unknown as Triple;
           }),
         )}
-        <div class="row">${this.press(words.makeRow, () => this.checked(rowOfParts(designer.state, this.count, step)), "", this.isMiscounted)}</div>
+        <div class="row">${this.press(words.makeRow, () => this.checked(rowOfParts(designer.state, this.count, step)), "", false)}</div>
       </div>
       <div role="group" aria-labelledby="ring">
         <h5 id="ring">${words.ring}</h5>
@@ -223,7 +223,7 @@ export class PasuArrange extends DesignerElement {
             this.angle = value;
           },
           words.degree,
-          { help: words.angleHelp },
+          words.angleHelp,
         )}
         ${([0, 1] as const).map((axis) =>
           number(
@@ -252,7 +252,7 @@ export class PasuArrange extends DesignerElement {
             () =>
               this.checked(ringOfParts(designer.state, this.count, (this.angle / 180) * Math.PI, centre, this.turning)),
             "",
-            this.isMiscounted,
+            false,
           )}
         </div>
       </div>

@@ -257,6 +257,7 @@ export class PasuBlendCards extends DesignerElement {
       value: number,
       unit: string,
       to: (value: number) => Partial<Ornament>,
+      within?: readonly [least: number, most: number],
     ) => html`<span class="cell"
       ><span aria-hidden="true">${label}</span
       ><pasu-number
@@ -265,16 +266,17 @@ export class PasuBlendCards extends DesignerElement {
         .unit=${unit}
         .value=${value}
         .step=${1}
+        .within=${within}
+        .counted=${within === COUNTS}
         @number-change=${(event: NumberChangeEvent) => set(to(event.value), event.gesture)}
         @number-done=${() => this.designer.store.endGesture()}
         @number-cancel=${() => this.designer.store.cancelGesture()}
       ></pasu-number
     ></span>`;
-    const share = (value: number, most: number) => Math.min(Math.max(value, 0), most) / 100;
     return html`<div class="ornament" role="group" aria-label=${words.of(words.ornament, name)}>
-      ${cell(words.count, ornament.count, "", (value) => ({ count: Math.min(Math.max(Math.round(value), COUNTS[0]), COUNTS[1]) }))}
-      ${cell(words.petals, percent(ornament.petals), "%", (value) => ({ petals: share(value, DEEPEST) }))}
-      ${cell(words.corners, percent(ornament.corners), "%", (value) => ({ corners: share(value, 100) }))}
+      ${cell(words.count, ornament.count, "", (count) => ({ count }), COUNTS)}
+      ${cell(words.petals, percent(ornament.petals), "%", (value) => ({ petals: value / 100 }), [0, DEEPEST])}
+      ${cell(words.corners, percent(ornament.corners), "%", (value) => ({ corners: value / 100 }), [0, 100])}
       ${cell(words.place, ornament.turn, words.degree, (turn) => ({ turn }))}
     </div>`;
   }

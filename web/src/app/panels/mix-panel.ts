@@ -84,6 +84,7 @@ export class PasuMix extends DesignerElement {
               .value=${this.percent}
               .min=${0}
               .max=${100}
+              .within=${[0, 100]}
               .step=${1}
               .explain=${this.designer.store.session.explain}
               @number-change=${(event: NumberChangeEvent) => this.take(mix.at, event)}
@@ -109,10 +110,9 @@ export class PasuMix extends DesignerElement {
     if (this.other === other) this.mix = mix;
   }
 
-  private take(at: (share: number) => Design, { value, gesture }: NumberChangeEvent): void {
+  private take(at: (share: number) => Design, { value: percent, gesture }: NumberChangeEvent): void {
     const { designer, mine } = this;
     const { store } = designer;
-    const percent = Math.min(100, Math.max(0, value));
     batch(() => {
       // The step of an earlier drag makes room for this one's.
       if (!store.inGesture && store.design !== mine) store.undo();

@@ -168,14 +168,20 @@ export class PasuRingCards extends DesignerElement {
       if (next.size === 0 && found.size === 0) return;
       this.change(index, (each) => withSwing(each, name, found, next), gesture ? `${name} ${what}` : undefined);
     };
-    const [least, most] = countsOf(name);
     const unit = unitOf(this.designer.store.design);
     return html`<div class="swing" role="group" aria-label=${words.of(words.swings[name], ringName)}>
       <h4>${words.swings[name]}</h4>
       ${
         isCounted(name)
-          ? this.cell(words.count, name, ringName, swing.n, "", 1, (value, gesture) =>
-              set({ ...swing, n: Math.min(Math.max(Math.round(value), least), most) }, gesture, "n"),
+          ? this.cell(
+              words.count,
+              name,
+              ringName,
+              swing.n,
+              "",
+              1,
+              (n, gesture) => set({ ...swing, n }, gesture, "n"),
+              countsOf(name),
             )
           : html`<span></span>`
       }
@@ -202,6 +208,7 @@ export class PasuRingCards extends DesignerElement {
     unit: string,
     step: number,
     set: (value: number, gesture: boolean) => void,
+    counts?: readonly [least: number, most: number],
   ) {
     return html`<span class="cell"
       ><span aria-hidden="true">${label}</span
@@ -211,6 +218,8 @@ export class PasuRingCards extends DesignerElement {
         .unit=${unit}
         .value=${value}
         .step=${step}
+        .within=${counts}
+        .counted=${counts !== undefined}
         @number-change=${(event: NumberChangeEvent) => set(event.value, event.gesture)}
         @number-done=${() => this.designer.store.endGesture()}
         @number-cancel=${() => this.designer.store.cancelGesture()}

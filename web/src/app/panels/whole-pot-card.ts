@@ -49,9 +49,7 @@ export class PasuWholePot extends DesignerElement {
         })),
       )}
       ${this.number(words.depth, words.help.depth, "%", 100 * whole.depth, [0, 100 * DEEPEST], (value) => ({ depth: value / 100 }))}
-      ${this.number(words.petals, words.help.petals, "", whole.petals, [2, MOST_PETALS], (value) => ({
-        petals: Math.min(Math.max(Math.round(value), 1), MOST_PETALS),
-      }))}
+      ${this.number(words.petals, words.help.petals, "", whole.petals, [2, MOST_PETALS], (petals) => ({ petals }), [1, MOST_PETALS])}
       ${choices<PetalsAt>(
         words.petalsAt,
         PETALS_AT.map((value) => ({ value, label: words.places[value] })),
@@ -59,9 +57,7 @@ export class PasuWholePot extends DesignerElement {
         (at) => this.change({ at }, false),
       )}
       ${this.number(words.fluteDepth, words.help.fluteDepth, "%", 100 * whole.flutes, [0, 100 * DEEPEST_FLUTES], (value) => ({ flutes: value / 100 }))}
-      ${this.number(words.flutes, words.help.flutes, "", whole.fluteCount, [FLUTES.least, FLUTES.most], (value) => ({
-        fluteCount: Math.min(Math.max(Math.round(value), FLUTES.least), FLUTES.most),
-      }))}
+      ${this.number(words.flutes, words.help.flutes, "", whole.fluteCount, [FLUTES.least, FLUTES.most], (fluteCount) => ({ fluteCount }), [FLUTES.least, FLUTES.most])}
     </details>`;
   }
 
@@ -87,6 +83,7 @@ export class PasuWholePot extends DesignerElement {
     value: number,
     [min, max]: readonly [number, number],
     set: (value: number) => Partial<Whole>,
+    counts?: readonly [least: number, most: number],
   ) {
     return html`<pasu-number
       .label=${label}
@@ -96,6 +93,8 @@ export class PasuWholePot extends DesignerElement {
       .value=${Number(value.toPrecision(10))}
       .min=${min}
       .max=${max}
+      .within=${counts}
+      .counted=${counts !== undefined}
       .step=${unit === "" || unit === "%" || unit === words.degree ? 1 : 10 ** Math.floor(Math.log10(max / 200) + 0.5)}
       @number-change=${(event: NumberChangeEvent) => this.change(set(event.value), event.gesture)}
       @number-done=${() => this.designer.store.endGesture()}

@@ -1,7 +1,6 @@
 /** Several parts brought into order, and copies of parts in rows and rings. */
 
 import { phrases } from "../../language";
-import { formatNumber } from "../../number";
 import type { Side } from "../../state/arrange-actions";
 
 export const arranging = phrases("arranging", {
@@ -34,7 +33,6 @@ export const arranging = phrases("arranging", {
   copies: "Copies",
   count: "How many",
   countHelp: "The parts themselves counted in.",
-  miscounted: (most: number) => `A whole number from 2 to ${formatNumber(most)} is needed here.`,
   row: "In a row",
   steps: ["Step along x", "Step along y", "Step along z"],
   makeRow: "Make the row",

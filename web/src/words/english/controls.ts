@@ -12,6 +12,8 @@ export const controls = phrases("controls", {
   /** What a field says that has no number yet. */
   blank: "none",
   positive: "Type a number above 0.",
+  within: (counted: boolean, least: string, most: string) =>
+    `Type a ${counted ? "whole number" : "number"} from ${least} to ${most}.`,
   /** Why what was typed is no number. */
   typed: {
     empty: () => "Type a number.",
