@@ -6,7 +6,7 @@ import { expect, test } from "vitest";
 import { designOf } from "../../web/src/document/gallery/exhibit.ts";
 import { SHELVES } from "../../web/src/document/gallery.ts";
 import { stay } from "../support/stay.ts";
-import type { Visit } from "../support/visit.ts";
+import { PHONE, type Visit } from "../support/visit.ts";
 
 const here = stay();
 
@@ -92,6 +92,28 @@ test("every format is saved, and dropped on the page opens the pot again", { tim
     await pot.dropFile(`Jar.${extension}`, saved.get(extension) ?? Buffer.alloc(0));
     await pot.shows(fingerprint);
     expect(await pot.page.title(), label).toBe("Jar · Pasu");
+  }
+});
+
+test("why a format does not take a part is said where it was asked for, on a desk and on a phone", async () => {
+  const mug = SHELVES.flatMap(({ exhibits }) => exhibits).find(({ id }) => id === "own-mug");
+  if (!mug) throw new Error("there is no mug");
+  for (const size of [{}, PHONE]) {
+    const pot = await here.enter({ ...size, link: "#1/second-order" });
+    const before = await pot.fingerprint();
+    await pot.dropFile("mug.json", JSON.stringify(designOf(mug)));
+    await pot.fingerprintOtherThan(before);
+    await pot.command("Export");
+    await pot.page.getByRole("radio", { name: "SVG A4", exact: true }).check();
+    await verdict(pot);
+    await pot.button("Save SVG A4").click();
+    const said = pot.page.locator("pasu-export .problem");
+    await expect.poll(() => said.textContent()).toMatch(/A template is of a pot with a foot and a rim/);
+    const [place, button] = [await said.boundingBox(), await pot.button("Save SVG A4").boundingBox()];
+    expect(place && button && place.y >= 0 && place.y < button.y + button.height).toBe(true);
+    expect(await said.evaluate((element) => element.closest("[slot=actions]") !== null)).toBe(true);
+    await pot.page.getByRole("radio", { name: "STL", exact: true }).check();
+    await expect.poll(() => said.textContent()).toBe("");
   }
 });
 

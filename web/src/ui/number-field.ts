@@ -206,6 +206,8 @@ export class PasuNumber extends LitElement {
     const { low, high } = this.range;
     const value = raw <= low || raw >= high ? raw : stepped(0, this.step, Math.round(raw / this.step));
     if (value !== this.value) this.send(value, true);
+    // Back on the step, where field and fill are.
+    else this.updated();
   };
 
   /** Letting go counts too: a slider that is back where the drag began says nothing of a change. */

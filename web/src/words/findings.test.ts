@@ -34,6 +34,7 @@ const REASONS: Readonly<Record<string, readonly string[]>> = {
   "open-surface": ["no-foot", "not-closed", "free-edge", "one-sided"],
   "unsupported-shape": [
     "no-ends",
+    "no-template",
     "closes",
     "open-sections",
     "no-inside",

@@ -89,6 +89,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
   "unsupported-shape": (refusal) => {
     const said: Readonly<Record<string, string>> = {
       "no-ends": making.noEnds,
+      "no-template": making.noTemplate,
       closes: making.closes,
       "open-sections": making.openSections,
       "no-inside": making.noInside,

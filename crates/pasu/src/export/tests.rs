@@ -315,6 +315,11 @@ fn templates_are_in_the_unit_of_the_design() {
     for text in ["1.1364 times as large as designed. Lengths in millimetres", ">30 top<", ">100 mm<"] {
         assert!(millimetres.contains(text), "{text}");
     }
+    // Nobody is to allow for the shrinkage of the clay once more.
+    let making = Making { shrinkage: 12.0, ..Making::default() };
+    let shrinks = file("svg", &Notes { millimetres: 10.0 / 0.88, making, ..notes("", "1/x") });
+    let shrinks = String::from_utf8(shrinks).unwrap();
+    assert!(shrinks.contains("1.1364 times as large as designed, which allows for 12 % shrinkage. Lengths in"));
     for text in [inches, millimetres] {
         let words = text.split("<text ").skip(1).filter_map(|rest| rest.split('<').next()?.split_once('>'));
         for (_, word) in words.filter(|(_, word)| !word.contains("Pasu")) {

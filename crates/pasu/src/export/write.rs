@@ -154,7 +154,7 @@ fn drawing(notes: &Notes, bodies: &[Body], made: &[Arc<Finished>], paper: Option
         None => {
             let message =
                 "a template is of a pot with foot and rim, and this part has neither: expected another format";
-            Err(Error::new(Code::UnsupportedShape, made.path("shape"), message).with("what", "no-ends"))
+            Err(Error::new(Code::UnsupportedShape, made.path("shape"), message).with("what", "no-template"))
         }
     };
     let stands = made.iter().map(standing).collect::<Result<Vec<Stand>>>()?;

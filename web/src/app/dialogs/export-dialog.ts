@@ -146,9 +146,11 @@ export class PasuExport extends DesignerElement {
         ${fileFormat(this.format).triangles ? this.text("tolerance", words.tolerance, quantities.units.mm, problem, words.fine) : nothing}
       </div>
       ${this.canJoin ? this.join() : nothing} ${this.outcome(making)} ${this.cells()}
-      <p class="problem" role="alert">${this.failure}</p>
-      <div slot="actions" class="progress" role="status">
-        ${this.saving ? html`<span>${words.writing}</span>${track(words.writing, this.written)}` : this.brief(making)}
+      <div slot="actions" class="progress">
+        <p class="problem" role="alert">${this.failure}</p>
+        <div role="status">
+          ${this.saving ? html`<span>${words.writing}</span>${track(words.writing, this.written)}` : this.brief(making)}
+        </div>
       </div>
       <button slot="actions" class="button" type="button" @click=${this.saving ? this.stop : this.close}>
         ${this.saving ? words.stop : words.cancel}
@@ -302,7 +304,7 @@ export class PasuExport extends DesignerElement {
   /** How much there is to mind, where the verdict itself may be out of sight; it is read to nobody twice. */
   private brief(making: Making | null) {
     const { report, measures } = this;
-    if (!report || !measures || !making || !this.isSceneKnown) return nothing;
+    if (!report || !measures || !making || !this.isSceneKnown || this.failure !== "") return nothing;
     const count = this.found(report, making, measures).filter(({ severity }) => severity === "warning").length;
     if (report.ok && count === 0) return nothing;
     const brief: Sentence = report.ok

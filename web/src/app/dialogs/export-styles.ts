@@ -101,7 +101,7 @@ export const exportStyles = css`
   .brief .sentences {
     padding: 0;
   }
-  .progress > span {
+  .progress span {
     display: block;
     animation: appear 0s 0.5s both;
   }

@@ -36,7 +36,7 @@ export class PasuPicture extends LitElement {
 
   override render() {
     const own = this.chosen === SIZES.length;
-    return html`<pasu-dialog heading=${picture.heading} @dialog-closed=${this.close}>
+    return html`<pasu-dialog ruled heading=${picture.heading} @dialog-closed=${this.close}>
       <p class="lead">${picture.lead}</p>
       <fieldset>
         <legend>${picture.size}</legend>

@@ -289,7 +289,7 @@ export class PasuDrawingBoard extends LitElement {
       .sheet {
         position: relative;
         /* All of it is seen at once, with what stands above and below it in a dialogue. */
-        width: min(100%, max(15rem, 86dvh - 13.5rem));
+        width: min(100%, max(10.5rem, 86dvh - 13.5rem));
         aspect-ratio: 1;
         margin: 0 auto;
         border: 1px solid var(--line);

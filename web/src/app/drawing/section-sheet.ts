@@ -90,7 +90,7 @@ export class PasuSectionSheet extends LitElement {
     css`
       :host {
         display: block;
-        width: min(100%, max(15rem, 70dvh - 9rem));
+        width: min(100%, max(10.5rem, 70dvh - 9rem));
         margin: 0 auto;
       }
       svg {

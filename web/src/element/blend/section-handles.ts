@@ -86,12 +86,14 @@ export class PasuSectionHandles extends DesignerElement {
   }
 
   private handle(blend: Blend, grip: Grip) {
+    const reading = this.reading(blend, grip);
     return html`<button
       type="button"
       class="grip ${grip.name}"
       data-grip="${grip.end} ${grip.name}"
       aria-roledescription=${pull.handle}
-      aria-label=${this.reading(blend, grip)}
+      aria-label=${reading}
+      title=${reading}
       @pointerdown=${(event: PointerEvent) => this.take(event, grip)}
       @pointermove=${this.move}
       @pointerup=${this.release}

@@ -143,6 +143,21 @@ export class PasuPlaceBar extends DesignerElement {
           padding: 0 6px;
         }
       }
+      /* In one row on the smallest phones: what is moved lies below it. */
+      @media (max-width: 22.5em) {
+        .bar {
+          gap: 2px;
+        }
+        .button,
+        .steps,
+        fieldset label {
+          padding: 0 4px;
+          font-size: 0.8rem;
+        }
+        .steps {
+          gap: 3px;
+        }
+      }
     `,
   ];
 }

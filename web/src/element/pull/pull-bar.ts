@@ -324,6 +324,28 @@ export class PasuPullBar extends DesignerElement {
           clip-path: inset(50%);
         }
       }
+      /* In one row on the smallest phones, and nothing is cut off at their edge. */
+      @media (max-width: 22.5em) {
+        .bar {
+          flex-wrap: wrap;
+          gap: 4px;
+        }
+        .bar select,
+        .bar > .locks {
+          font-size: 0.84rem;
+        }
+        .width input {
+          width: 50px;
+        }
+        .bar > .locks,
+        .bar > .locks label {
+          gap: 4px;
+        }
+        .bar > .locks > span {
+          position: absolute;
+          clip-path: inset(50%);
+        }
+      }
     `,
   ];
 }

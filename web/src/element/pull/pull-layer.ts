@@ -155,6 +155,7 @@ export class PasuPull extends DesignerElement {
       data-curve=${curve.index}
       aria-roledescription=${words.handle}
       aria-label=${this.reading(shape, curve, name)}
+      title=${name}
       @pointerdown=${(event: PointerEvent) => this.gesture.hold(event, () => this.take(this.feltOf(curve)))}
       @pointermove=${this.gesture.move}
       @pointerup=${this.gesture.up}

@@ -13,7 +13,7 @@ export const controls = phrases("controls", {
   blank: "none",
   positive: "Type a number above 0.",
   within: (counted: boolean, least: string, most: string) =>
-    `Type a ${counted ? "whole number" : "number"} from ${least} to ${most}.`,
+    `Type a ${counted ? "whole " : ""}number from ${least} to ${most}.`,
   /** Why what was typed is no number. */
   typed: {
     empty: () => "Type a number.",

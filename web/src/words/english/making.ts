@@ -34,6 +34,7 @@ export const making = phrases("making", {
   /** Of what has no foot and no rim. */
   noEnds:
     "A network of patches has no foot and no rim, so this cannot be done with it. What closes is a solid without a wall; what has free edges gets a thickness.",
+  noTemplate: "A template is of a pot with a foot and a rim, and this has neither. Every other format takes it.",
   closes: "It closes, so that it is a solid as it is, and has no free edge for a wall to end at.",
   /** Of the thickness of patches. */
   thickness: {

@@ -78,15 +78,17 @@ pub(super) fn write(notes: &Notes, bodies: &[Body], stands: &[Stand], paper: Opt
     }
 }
 
-/// How large the pot is on paper, in words.
+/// How large the pot is on paper, in words, and for how much shrinkage: whoever finds the sheet is not to allow for that once more.
 fn scale(notes: &Notes, ruler: &Ruler) -> String {
     let factor = rounded(notes.millimetres / ruler.unit, 4);
-    match factor.as_str() {
+    let large = match factor.as_str() {
         "1" => "As large as designed".to_owned(),
         // So small that four places say nothing.
         "0" => format!("{} times as large as designed", short(notes.millimetres / ruler.unit)),
         _ => format!("{factor} times as large as designed"),
-    }
+    };
+    let shrinkage = notes.making.shrinkage;
+    if shrinkage > 0.0 { format!("{large}, which allows for {} % shrinkage", short(shrinkage)) } else { large }
 }
 
 /// Draws the bar and returns where it ends.
