@@ -292,7 +292,7 @@ fn a_template_has_layers() {
     assert!(words.contains(">Vase</text>") && words.contains("id=\"bar\"") && words.contains(">10 cm</text>"));
     assert_eq!(text.matches("<text ").count(), words.matches("<text ").count());
     for told in [
-        "As large as designed. Lengths in centimetres",
+        "As large as designed, which allows for 5 % shrinkage. Lengths in centimetres",
         ">3 top<",
         ">0.5 floor<",
         ">0 foot<",
@@ -304,9 +304,11 @@ fn a_template_has_layers() {
 
 #[test]
 fn templates_are_in_the_unit_of_the_design() {
-    let told = |unit: Unit, millimetres: f64| {
-        String::from_utf8(file("svg", &Notes { unit, millimetres, ..notes("", "1/x") })).unwrap()
+    let made = |unit: Unit, millimetres: f64, shrinkage: f64| {
+        let making = Making { shrinkage, ..MADE };
+        String::from_utf8(file("svg", &Notes { unit, millimetres, making, ..notes("", "1/x") })).unwrap()
     };
+    let told = |unit: Unit, millimetres: f64| made(unit, millimetres, 0.0);
     let inches = told(Unit::In, 25.4 * 1.000_000_000_1);
     for text in ["As large as designed. Lengths in inches", ">1.18 top<", ">4 in<"] {
         assert!(inches.contains(text), "{text}");
@@ -316,9 +318,7 @@ fn templates_are_in_the_unit_of_the_design() {
         assert!(millimetres.contains(text), "{text}");
     }
     // Nobody is to allow for the shrinkage of the clay once more.
-    let making = Making { shrinkage: 12.0, ..Making::default() };
-    let shrinks = file("svg", &Notes { millimetres: 10.0 / 0.88, making, ..notes("", "1/x") });
-    let shrinks = String::from_utf8(shrinks).unwrap();
+    let shrinks = made(Unit::Cm, 10.0 / 0.88, 12.0);
     assert!(shrinks.contains("1.1364 times as large as designed, which allows for 12 % shrinkage. Lengths in"));
     for text in [inches, millimetres] {
         let words = text.split("<text ").skip(1).filter_map(|rest| rest.split('<').next()?.split_once('>'));
