@@ -15,7 +15,7 @@ use crate::weave::{Made, SolidMesh, closed_patches, is_coarse, refuse_crossing};
 
 /// The closed mesh of each part that the product is made of, in millimetres, after size and shrinkage.
 ///
-/// What is returned has passed every check of [`SolidMesh`]; what does not is refused, never written. A foot ring or a drain for which there is no room gives way to the nearest for which there is, in whatever is asked of a design;
+/// What is returned has passed every check of [`SolidMesh`]; what does not is refused, never written. A foot ring or a drain for which there is no room gives way to the nearest of those that are tried for which there is, in whatever is asked of a design;
 /// [`check`](crate::check()) warns of it.
 ///
 /// # Errors

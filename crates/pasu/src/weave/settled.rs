@@ -69,7 +69,7 @@ impl Settled {
 }
 
 impl Pot {
-    /// The faces of part number `part`. A foot ring or a drain for which there is no room gives way to the nearest for which there is, of which [`check`](crate::check()) warns.
+    /// The faces of part number `part`. A foot ring or a drain for which there is no room gives way to the nearest of those that are tried for which there is, of which [`check`](crate::check()) warns.
     ///
     /// # Errors
     /// `no-such-point` for a part that does not exist; what [`Surface::solve`](crate::Surface::solve) refuses; `no-wall`, `open-surface`, `pinched-surface`, `no-opening`, `no-room` with the
