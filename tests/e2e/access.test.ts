@@ -105,7 +105,8 @@ test.each(["light", "dark"] as const)(
   "where a field is can be seen: its border stands out from what is round it, %s",
   async (colorScheme) => {
     const pot = await here.enter({ link: "#1/second-order", colorScheme });
-    await pot.fingerprint();
+    // The pot may stand on the stage before its numbers are there.
+    await pot.page.getByRole("spinbutton").nth(5).waitFor();
     const ratios = await pot.page.getByRole("spinbutton").evaluateAll((fields) =>
       fields.map((field) => {
         const light = (colour: string) => {
