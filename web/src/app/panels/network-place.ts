@@ -3,7 +3,7 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
-import { middleOf, moved, shiftBy, unlessStill } from "../../document/network/moving";
+import { middleOf, moved, shiftExactly, unlessStill } from "../../document/network/moving";
 import { type Network, sizeOf } from "../../document/network/network";
 import type { Triple } from "../../document/types";
 import { UnhurriedElement } from "../../element/unhurried";
@@ -66,7 +66,7 @@ export class PasuNetworkPlace extends UnhurriedElement {
     const before = middleOf(from, vertices)[axis] ?? 0;
     const by = value - before;
     const way = [0, 1, 2].map((each) => (each === axis ? by : 0)) as unknown as Triple;
-    const next = moved(from, vertices, shiftBy(way), desk.settings.mirror);
+    const next = moved(from, vertices, shiftExactly(way), desk.settings.mirror);
     if (next === from && by !== 0) designer.notices.say(words.objections.collapsed);
     else if (by !== 0 && middleOf(next, vertices)[axis] === before) designer.notices.say(words.inMirror);
     designer.apply(

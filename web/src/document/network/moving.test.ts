@@ -1,7 +1,18 @@
 import { expect, test } from "vitest";
 import { NETWORKED } from "../gallery/networks";
 import { frozen } from "../path";
-import { imagesOf, middleOf, moved, onGrid, scaleBy, shiftBy, shiftOnto, turnBy, unlessStill } from "./moving";
+import {
+  imagesOf,
+  middleOf,
+  moved,
+  onGrid,
+  scaleBy,
+  shiftBy,
+  shiftExactly,
+  shiftOnto,
+  turnBy,
+  unlessStill,
+} from "./moving";
 import { type Network, patchesRound } from "./network";
 import { crestOf, forceFor, heightOf, laidAt, pointAt, regionBetween, rimOf, unfolded } from "./sculpting";
 import { pointOn } from "./surface";
@@ -32,6 +43,18 @@ test("what is picked is moved, turned and scaled, and nothing else", () => {
     [12, -6, 0],
   ]);
   expect(moved(leaf, picked, scaleBy([0, 0, 0], 0.5, null)).vertices[0]).toEqual([-3, -3, 0]);
+});
+
+test("where nothing moves along an axis its number stays, and what is typed is kept to its last digit", () => {
+  const fine: Network = {
+    ...leaf,
+    vertices: leaf.vertices.map((point, at) => (at === 0 ? [-6.123456, -6.123456, 0.123456] : point)),
+  };
+  const picked = new Set([0]);
+  expect(moved(fine, picked, shiftBy([0, 0, 0.4321987])).vertices[0]?.slice(0, 2)).toEqual([-6.123456, -6.123456]);
+  expect(moved(fine, picked, shiftExactly([1.234567 + 6.123456, 0, 0])).vertices[0]).toEqual([
+    1.234567, -6.123456, 0.123456,
+  ]);
 });
 
 test("corners that would meet stay apart", () => {

@@ -29,6 +29,11 @@ export function shiftBy(by: Triple): Motion {
   return (point) => plus(point, by, 1);
 }
 
+/** As far as a number that was typed says, to its last digit. */
+export function shiftExactly(by: Triple): Motion {
+  return Object.assign(shiftBy(by), { isExact: true });
+}
+
 /** With what is at one point to another one, and not to beside it. */
 export function shiftOnto(from: Triple, to: Triple): Motion {
   const by = minus(to, from);
@@ -103,7 +108,9 @@ export function moved(
   const step = 10 ** Math.min(Math.max(digits, 0), 12);
   const rounded = (value: number) =>
     motion.isExact ? Number(value.toPrecision(KEPT)) : Math.round(value * step) / step;
-  const neat = (point: Triple) => point.map((value) => rounded(value) + 0) as unknown as Triple;
+  // A coordinate in which nothing moves is as it was, however many digits it has.
+  const neat = (point: Triple, from: Triple) =>
+    point.map((value, each) => (value === from[each] ? from[each] : rounded(value) + 0)) as unknown as Triple;
   const vertices = [...network.vertices];
   const images = mirror ? imagesOf(network, mirror) : null;
   const axis = mirror ? AXES.indexOf(mirror) : -1;
@@ -111,7 +118,7 @@ export function moved(
     const point = network.vertices[vertex];
     if (!point) continue;
     const image = images?.get(vertex);
-    const to = neat(motion(point));
+    const to = neat(motion(point), point);
     vertices[vertex] =
       image === vertex ? (to.map((value, each) => (each === axis ? 0 : value)) as unknown as Triple) : to;
     if (image === undefined || image === vertex || picked.has(image)) continue;
