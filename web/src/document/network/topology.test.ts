@@ -256,6 +256,17 @@ test("a strip is split where no region of several patches lies on it, however fa
   expect(done(across(row(1, [0.2, 1.6]), 0)).network.patches).toHaveLength(2);
 });
 
+test("no patch that stays loses a region with one that is taken away", () => {
+  // The first of four has it; it reaches the third.
+  const far = row(4, [0.2, 2.6]);
+  for (const gone of [[0], [1], [0, 1], [1, 3]]) {
+    expect(removed(far, new Set(gone))).toEqual({ refused: "torn" });
+  }
+  for (const gone of [[2], [3], [1, 2, 3], [0, 1, 2]]) {
+    expect(done(removed(far, new Set(gone))).network.patches).toHaveLength(4 - gone.length);
+  }
+});
+
 test("what would bend a region round a corner is refused", () => {
   // Three of five patches round a corner: a region of the first goes on to the other two, which end at free edges.
   const weaving = new Weaving();

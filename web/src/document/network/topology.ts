@@ -29,6 +29,7 @@ export type Objection =
   | "last-patch"
   | "crossing"
   | "spanned"
+  | "torn"
   | "bent"
   | "no-rings"
   | "unequal-rings"
@@ -56,6 +57,7 @@ export function removed(network: Network, patches: ReadonlySet<number>): Buildin
   const kept = network.patches.filter((_, patch) => !patches.has(patch));
   if (kept.length === 0) return { refused: "last-patch" };
   const { network: left, places } = compacted({ ...network, patches: kept, ...seeded(network, patches) });
+  if (tears(network, patches, left)) return { refused: "torn" };
   const bared = [...edgesOf(network).values()].filter(
     ({ sides }) => sides.some(({ patch }) => patches.has(patch)) && sides.some(({ patch }) => !patches.has(patch)),
   );
@@ -63,6 +65,20 @@ export function removed(network: Network, patches: ReadonlySet<number>): Buildin
     bared.flatMap(({ sides }) => (sides[0]?.vertices ?? []).map((vertex) => places[vertex] ?? -1)),
   );
   return checked(left, { network: left, picked });
+}
+
+/** Whether a region over several patches would be gone from some that stay, because the one that has it as a force goes, or one between them. */
+function tears(network: Network, gone: ReadonlySet<number>, left: Network): boolean {
+  const kept = [...network.patches.keys()].filter((patch) => !gone.has(patch));
+  return [...network.patches.entries()].some(([home, { forces = [] }]) =>
+    forces.some((force) => {
+      const shared = [...sharedBy(network, home, force)];
+      const stay = shared.filter((patch) => !gone.has(patch));
+      if (stay.length === shared.length || stay.length === 0) return false;
+      // By itself on its own patch it is shared with none.
+      return gone.has(home) || Math.max(1, sharedBy(left, kept.indexOf(home), force).size) < stay.length;
+    }),
+  );
 }
 
 /** A rule that begins with a patch goes on beginning there, or where it is gone, with the next that would have had its turn. */

@@ -76,6 +76,7 @@ export const networks = phrases("networks", {
     "last-patch": "One patch has to stay.",
     crossing: "The strip runs through a patch both ways, and cannot be split.",
     spanned: "A sculpted region lies over several patches of the strip. Take it away first.",
+    torn: "A sculpted region goes on from what would be taken away to patches that stay. Take it away first.",
     bent: "A sculpted region would go round a corner at which not four patches meet. Take it away first.",
     "no-rings": "Pick two whole rims first: the middle of an edge of each, and then Ring.",
     "unequal-rings": "Both rims have to have as many edges.",
